@@ -1,0 +1,40 @@
+#ifndef thalweg_core_context_h
+#define thalweg_core_context_h
+
+#include <thalweg/core/log.h>
+#include <thalweg/core/statistics.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief What every part of a run shares: processes, log, timers,
+   * statistics and the place for results.
+   */
+  struct Context
+  {
+    /// @param communicator the processes of this run
+    explicit Context(const MPI_Comm communicator)
+      : communicator(communicator)
+      , is_root(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      , log(is_root)
+      , timers(std::cout,
+               dealii::TimerOutput::never,
+               dealii::TimerOutput::wall_times)
+    {}
+
+    MPI_Comm            communicator;
+    bool                is_root;
+    Log                 log;
+    dealii::TimerOutput timers;
+    Statistics          statistics;
+    /// Where all files go; empty: no file is written.
+    std::string output_directory;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef thalweg_core_statistics_h
+#define thalweg_core_statistics_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief A table with one row a time step, written to a CSV file as the
+   * run goes on.
+   *
+   * Columns are named with their unit, "time [s]". All columns must be set
+   * before the first row ends; later rows keep the first row's header, and a
+   * column that is not set in a row stays empty.
+   */
+  class Statistics
+  {
+  public:
+    /// Collects only; nothing is written before open() was called.
+    Statistics() = default;
+
+    /// Writes to @p path from now on. Call it on the root process only.
+    /// @throws dealii::ExcMessage if the file cannot be written
+    void
+    open(const std::string &path);
+
+    /// Sets the value of column @p name in the current row.
+    void
+    set(const std::string &name, const double value);
+
+    /// Adds to the value of column @p name in the current row.
+    void
+    add(const std::string &name, const double value);
+
+    /// The value in the current row, or in the last complete one if the
+    /// current row has none. @throws dealii::ExcMessage without such a column
+    double
+    get(const std::string &name) const;
+
+    /// Whether a column of this name exists.
+    bool
+    has(const std::string &name) const;
+
+    /// Ends the row: writes it and starts the next.
+    void
+    end_row();
+
+  private:
+    std::string                   path;
+    std::vector<std::string>      columns;
+    std::map<std::string, double> row;
+    std::map<std::string, double> last_row;
+    bool                          header_written = false;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,119 @@
+#ifndef thalweg_fields_node_space_h
+#define thalweg_fields_node_space_h
+
+#include <thalweg/mesh/mesh.h>
+#include <thalweg/mesh/cell_field.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Thalweg
+{
+  /// A vector distributed over the ranks, with ghost values.
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /**
+   * @brief Q1 fields with one value a node (pressure, level set) or dim
+   * values a node (velocity) on the same nodes.
+   *
+   * The degrees of freedom of a node's velocity stand one behind the other:
+   * component c of node n is entry `dim * n + c`, in global and in local
+   * numbering, so that one table of nodes serves both.
+   */
+  template <int dim>
+  class NodeSpace
+  {
+  public:
+    static constexpr unsigned int n_vertices = 1 << dim;
+
+    explicit NodeSpace(const Mesh<dim> &mesh);
+
+    /// Distributes anew; call it after every change of the mesh.
+    void
+    distribute();
+
+    const Mesh<dim> &
+    mesh() const
+    {
+      return mesh_;
+    }
+
+    const dealii::DoFHandler<dim> &
+    scalar() const
+    {
+      return scalar_dofs;
+    }
+
+    const dealii::DoFHandler<dim> &
+    velocity() const
+    {
+      return velocity_dofs;
+    }
+
+    /// Hanging nodes and periodic boundaries of a scalar field.
+    const dealii::AffineConstraints<double> &
+    scalar_constraints() const
+    {
+      return scalar_continuity;
+    }
+
+    /// Hanging nodes and periodic boundaries of a velocity.
+    const dealii::AffineConstraints<double> &
+    velocity_constraints() const
+    {
+      return velocity_continuity;
+    }
+
+    /// Local (ghosted) numbers of the nodes of a cell of the graph, in
+    /// deal.II's order of vertices.
+    const std::array<unsigned int, n_vertices> &
+    nodes(const unsigned int cell) const
+    {
+      return cell_nodes[cell];
+    }
+
+    /// A zero vector with all locally relevant entries.
+    void
+    initialize_scalar(Vector &vector) const;
+
+    /// A zero vector with all locally relevant entries.
+    void
+    initialize_velocity(Vector &vector) const;
+
+    /// Copies a ghosted, constraint-consistent velocity cell by cell.
+    void
+    copy_to_cells(const Vector &velocity, CellVelocity<dim> &cells) const;
+
+    /// Copies a ghosted, constraint-consistent scalar cell by cell.
+    void
+    copy_to_cells(const Vector &scalar, CellField<dim, 1> &cells) const;
+
+    dealii::types::global_dof_index
+    n_dofs() const
+    {
+      return scalar_dofs.n_dofs() + velocity_dofs.n_dofs();
+    }
+
+  private:
+    const Mesh<dim>                                  &mesh_;
+    dealii::FE_Q<dim>                                 fe_scalar;
+    dealii::FESystem<dim>                             fe_velocity;
+    dealii::DoFHandler<dim>                           scalar_dofs;
+    dealii::DoFHandler<dim>                           velocity_dofs;
+    dealii::AffineConstraints<double>                 scalar_continuity;
+    dealii::AffineConstraints<double>                 velocity_continuity;
+    std::vector<std::array<unsigned int, n_vertices>> cell_nodes;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+      scalar_partitioner;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+      velocity_partitioner;
+  };
+} // namespace Thalweg
+
+#endif

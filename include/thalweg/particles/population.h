@@ -1,0 +1,66 @@
+#ifndef thalweg_particles_population_h
+#define thalweg_particles_population_h
+
+#include <thalweg/mesh/mesh.h>
+
+#include <deal.II/particles/particle_handler.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief The particles: deal.II's ParticleHandler, and what each of them
+   * carries.
+   *
+   * Properties of a particle, in this order: its velocity (dim components,
+   * m/s) and its level set value, negative in the denser fluid (dimension of
+   * length, or just a sign, as the chosen interface representation says).
+   * Reference coordinates are always those in the particle's cell.
+   */
+  template <int dim>
+  class Population
+  {
+  public:
+    static constexpr unsigned int velocity_offset  = 0;
+    static constexpr unsigned int level_set_offset = dim;
+    static constexpr unsigned int n_properties     = dim + 1;
+
+    using Handler  = dealii::Particles::ParticleHandler<dim>;
+    using Iterator = typename Handler::particle_iterator;
+
+    explicit Population(const Mesh<dim> &mesh);
+
+    Handler &
+    handler()
+    {
+      return particle_handler;
+    }
+
+    const Handler &
+    handler() const
+    {
+      return particle_handler;
+    }
+
+    const Mesh<dim> &
+    mesh() const
+    {
+      return mesh_;
+    }
+
+    /// The next free particle id of this rank: ids are unique over all ranks
+    /// and do not depend on what other ranks do.
+    dealii::types::particle_index
+    next_id();
+
+    /// The number of particles on all ranks. Collective.
+    dealii::types::particle_index
+    n_global_particles() const;
+
+  private:
+    const Mesh<dim>              &mesh_;
+    Handler                       particle_handler;
+    dealii::types::particle_index n_created = 0;
+  };
+} // namespace Thalweg
+
+#endif

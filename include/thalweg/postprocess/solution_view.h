@@ -1,0 +1,36 @@
+#ifndef thalweg_postprocess_solution_view_h
+#define thalweg_postprocess_solution_view_h
+
+#include <thalweg/fields/node_space.h>
+#include <thalweg/materials/fluids.h>
+#include <thalweg/particles/population.h>
+
+#include <deal.II/base/tensor.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief The state of a run as those see it who only look.
+   *
+   * Vectors are ghosted and consistent with their constraints.
+   */
+  template <int dim>
+  struct SolutionView
+  {
+    const Mesh<dim>       &mesh;
+    const NodeSpace<dim>  &space;
+    const Fluids          &fluids;
+    const Population<dim> &population;
+    const Vector          &velocity;  ///< m/s, on space.velocity()
+    const Vector          &pressure;  ///< Pa, on space.scalar()
+    const Vector          &level_set; ///< negative in fluid 0, on space.scalar()
+
+    double       time      = 0.; ///< s
+    double       time_step = 0.; ///< s; 0 at the start
+    unsigned int step      = 0;
+    double       end_time  = 0.; ///< s
+    bool         last_step = false;
+  };
+} // namespace Thalweg
+
+#endif

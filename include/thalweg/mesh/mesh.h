@@ -27,7 +27,7 @@ namespace Thalweg
     Choice<Geometry<dim>>                   geometry;
     std::vector<std::string>                periodic_boundaries;
     unsigned int                            global_refinement = 0;
-    std::vector<std::string>                regions;
+    std::string                             local_refinement = "0";
   };
 
   /**
@@ -112,8 +112,12 @@ namespace Thalweg
     void
     join_periodic_boundaries(const std::vector<std::string> &pairs);
 
+    PeriodicPair
+    find_periodic_pair(const std::string &names) const;
+
     void
-    refine_regions(const std::vector<std::string> &regions);
+    refine_locally(const unsigned int global_levels,
+                   const std::string &extra_levels);
 
     Triangulation                                     tria;
     dealii::MappingQ1<dim>                            mapping_q1;

@@ -1,0 +1,151 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/mesh/cell_graph.h>
+
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// Whether the edges of a cell are those of an axis-parallel box in
+    /// deal.II's standard orientation.
+    template <int dim>
+    bool
+    is_axis_parallel(
+      const std::array<dealii::Point<dim>, (1 << dim)> &vertices)
+    {
+      const dealii::Tensor<1, dim> extent =
+        vertices.back() - vertices.front();
+      const double tolerance = 1e-10 * extent.norm();
+      for (unsigned int v = 0; v < vertices.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double expected =
+              vertices[0][d] + ((v >> d) & 1u ? extent[d] : 0.);
+            if (extent[d] <= 0 ||
+                std::abs(vertices[v][d] - expected) > tolerance)
+              return false;
+          }
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  CellGraph<dim>::build(
+    const dealii::parallel::distributed::Triangulation<dim> &tria)
+  {
+    cells.clear();
+    iterators.clear();
+    children.clear();
+    offsets.clear();
+    index_of_active_cell.assign(tria.n_active_cells(),
+                                dealii::numbers::invalid_unsigned_int);
+    axis_parallel = true;
+    shortest_edge = std::numeric_limits<double>::max();
+
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_locally_owned())
+        add_cell(cell);
+    n_owned            = cells.size();
+    first_global_index = n_owned > 0 ? cells[0].global_index : 0;
+    for (const auto &cell : tria.active_cell_iterators())
+      if (cell->is_ghost())
+        add_cell(cell);
+
+    for (unsigned int c = 0; c < n_owned; ++c)
+      for (unsigned int f = 0; f < n_faces; ++f)
+        cells[c].faces[f] = face_behind(iterators[c], f);
+  }
+
+
+
+  template <int dim>
+  void
+  CellGraph<dim>::add_cell(const CellIterator &cell)
+  {
+    Cell entry;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      entry.vertices[v] = cell->vertex(v);
+    entry.axis_parallel = is_axis_parallel<dim>(entry.vertices);
+    entry.extent        = entry.vertices.back() - entry.vertices.front();
+    entry.measure       = cell->measure();
+    for (unsigned int d = 0; d < dim; ++d)
+      entry.inverse_extent[d] = entry.axis_parallel ? 1. / entry.extent[d] : 0.;
+    entry.owner        = cell->subdomain_id();
+    entry.global_index = cell->global_active_cell_index();
+
+    axis_parallel = axis_parallel && entry.axis_parallel;
+    if (cell->is_locally_owned())
+      for (const unsigned int line : cell->line_indices())
+        shortest_edge = std::min(shortest_edge, cell->line(line)->diameter());
+
+    index_of_active_cell[cell->active_cell_index()] = cells.size();
+    cells.push_back(entry);
+    iterators.push_back(cell);
+  }
+
+
+
+  template <int dim>
+  typename CellGraph<dim>::Face
+  CellGraph<dim>::face_behind(const CellIterator &cell,
+                              const unsigned int  face_no)
+  {
+    Face       face;
+    const bool is_periodic = cell->has_periodic_neighbor(face_no);
+    if (cell->at_boundary(face_no) && !is_periodic)
+      {
+        face.boundary_id = cell->face(face_no)->boundary_id();
+        return face;
+      }
+
+    const auto neighbor =
+      is_periodic ? cell->periodic_neighbor(face_no) : cell->neighbor(face_no);
+    if (is_periodic)
+      {
+        const unsigned int     direction = face_no / 2;
+        dealii::Tensor<1, dim> offset;
+        offset[direction] =
+          neighbor->face(cell->periodic_neighbor_face_no(face_no))
+            ->center()[direction] -
+          cell->face(face_no)->center()[direction];
+        unsigned int o = 0;
+        while (o < offsets.size() &&
+               (offsets[o] - offset).norm() > 1e-10 * offset.norm())
+          ++o;
+        if (o == offsets.size())
+          offsets.push_back(offset);
+        face.periodic = o;
+      }
+
+    if (neighbor->has_children())
+      {
+        face.behind = Behind::refined;
+        std::array<int, n_face_children> behind;
+        for (unsigned int s = 0; s < n_face_children; ++s)
+          behind[s] =
+            index(is_periodic ?
+                    cell->periodic_neighbor_child_on_subface(face_no, s) :
+                    cell->neighbor_child_on_subface(face_no, s));
+        face.index = children.size();
+        children.push_back(behind);
+      }
+    else
+      {
+        face.behind = Behind::cell;
+        face.index  = index_of_active_cell[neighbor->active_cell_index()];
+      }
+    return face;
+  }
+
+
+
+  THALWEG_INSTANTIATE(CellGraph)
+} // namespace Thalweg

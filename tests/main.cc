@@ -1,0 +1,36 @@
+#include <deal.II/base/mpi.h>
+
+#include <gtest/gtest.h>
+
+/**
+ * Runs the tests on any number of processes. The root process reports its
+ * successes and failures, the others only their failures.
+ */
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  ::testing::InitGoogleTest(&argc, argv);
+
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
+  {
+    class Failures : public ::testing::EmptyTestEventListener
+    {
+      void
+      OnTestPartResult(const ::testing::TestPartResult &result) override
+      {
+        if (result.failed())
+          std::cerr << "Process "
+                    << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
+                    << ": " << result.file_name() << ':' << result.line_number()
+                    << ": " << result.summary() << std::endl;
+      }
+    };
+    auto &listeners = ::testing::UnitTest::GetInstance()->listeners();
+    delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new Failures);
+  }
+
+  // One process that fails makes all of them return a failure.
+  return dealii::Utilities::MPI::max(RUN_ALL_TESTS(), MPI_COMM_WORLD);
+}

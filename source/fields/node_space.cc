@@ -27,24 +27,27 @@ namespace Thalweg
 
 
 
-    /// All locally relevant entries, and those that constraints reach.
+    /// All locally relevant nodes, and those that constraints reach, with
+    /// @p n_components entries a node.
     template <int dim>
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
     make_partitioner(const dealii::DoFHandler<dim>           &dofs,
-                     const dealii::AffineConstraints<double> &constraints)
+                     const dealii::AffineConstraints<double> &constraints,
+                     const unsigned int                       n_components)
     {
       dealii::IndexSet relevant;
       dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-      std::vector<dealii::types::global_dof_index> reached;
       for (const auto &line : constraints.get_lines())
         for (const auto &entry : line.entries)
-          reached.push_back(entry.first);
-      std::sort(reached.begin(), reached.end());
-      reached.erase(std::unique(reached.begin(), reached.end()),
-                    reached.end());
-      relevant.add_indices(reached.begin(), reached.end());
+          relevant.add_index(entry.first);
+      dealii::IndexSet owned(dofs.n_dofs() * n_components);
+      dealii::IndexSet ghosted(dofs.n_dofs() * n_components);
+      for (const auto node : dofs.locally_owned_dofs())
+        owned.add_range(node * n_components, (node + 1) * n_components);
+      for (const auto node : relevant)
+        ghosted.add_range(node * n_components, (node + 1) * n_components);
       return std::make_shared<const dealii::Utilities::MPI::Partitioner>(
-        dofs.locally_owned_dofs(), relevant, dofs.get_communicator());
+        owned, ghosted, dofs.get_communicator());
     }
   } // namespace
 
@@ -70,9 +73,9 @@ namespace Thalweg
     scalar_dofs.distribute_dofs(fe_scalar);
     velocity_dofs.distribute_dofs(fe_velocity);
     make_continuity(mesh_, scalar_dofs, scalar_continuity);
-    make_continuity(mesh_, velocity_dofs, velocity_continuity);
-    scalar_partitioner   = make_partitioner(scalar_dofs, scalar_continuity);
-    velocity_partitioner = make_partitioner(velocity_dofs, velocity_continuity);
+    scalar_partitioner = make_partitioner(scalar_dofs, scalar_continuity, 1);
+    velocity_partitioner =
+      make_partitioner(scalar_dofs, scalar_continuity, dim);
 
     const CellGraph<dim> &graph = mesh_.graph();
     cell_nodes.resize(graph.n_cells());
@@ -94,6 +97,55 @@ namespace Thalweg
                   "Velocity and scalar nodes are numbered differently."));
           }
       }
+
+    node_dependences.clear();
+    dependent.assign(scalar_partitioner->locally_owned_size() +
+                       scalar_partitioner->n_ghost_indices(),
+                     false);
+    for (const auto &line : scalar_continuity.get_lines())
+      {
+        const unsigned int node =
+          scalar_partitioner->global_to_local(line.index);
+        dependent[node] = true;
+        for (const auto &entry : line.entries)
+          node_dependences.push_back(
+            {node,
+             scalar_partitioner->global_to_local(entry.first),
+             entry.second});
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  NodeSpace<dim>::fold(Vector &vector, const unsigned int n_components) const
+  {
+    for (const Dependence &entry : node_dependences)
+      for (unsigned int c = 0; c < n_components; ++c)
+        vector.local_element(entry.master * n_components + c) +=
+          entry.weight * vector.local_element(entry.node * n_components + c);
+    for (const Dependence &entry : node_dependences)
+      for (unsigned int c = 0; c < n_components; ++c)
+        vector.local_element(entry.node * n_components + c) = 0.;
+    vector.compress(dealii::VectorOperation::add);
+  }
+
+
+
+  template <int dim>
+  void
+  NodeSpace<dim>::interpolate(Vector            &vector,
+                              const unsigned int n_components) const
+  {
+    vector.update_ghost_values();
+    for (const Dependence &entry : node_dependences)
+      for (unsigned int c = 0; c < n_components; ++c)
+        vector.local_element(entry.node * n_components + c) = 0.;
+    for (const Dependence &entry : node_dependences)
+      for (unsigned int c = 0; c < n_components; ++c)
+        vector.local_element(entry.node * n_components + c) +=
+          entry.weight * vector.local_element(entry.master * n_components + c);
   }
 
 

@@ -63,13 +63,6 @@ namespace Thalweg
       return scalar_continuity;
     }
 
-    /// Hanging nodes and periodic boundaries of a velocity.
-    const dealii::AffineConstraints<double> &
-    velocity_constraints() const
-    {
-      return velocity_continuity;
-    }
-
     /// Local (ghosted) numbers of the nodes of a cell of the graph, in
     /// deal.II's order of vertices.
     const std::array<unsigned int, n_vertices> &
@@ -85,6 +78,44 @@ namespace Thalweg
     /// A zero vector with all locally relevant entries.
     void
     initialize_velocity(Vector &vector) const;
+
+    /**
+     * @brief Moves what was added at constrained nodes to the nodes that
+     * they depend on, and adds up over the ranks: the transpose of
+     * interpolate().
+     *
+     * Before, entries (owned and ghost) hold what this rank's cells added.
+     * Afterwards the ghost entries are zero.
+     * @param n_components values a node: 1 or dim
+     */
+    void
+    fold(Vector &vector, const unsigned int n_components) const;
+
+    /// Updates ghost values and sets the values at constrained nodes.
+    void
+    interpolate(Vector &vector, const unsigned int n_components) const;
+
+    /// A node whose value follows from that of another.
+    struct Dependence
+    {
+      unsigned int node;
+      unsigned int master;
+      double       weight;
+    };
+
+    /// All local dependences: those of one node stand together.
+    const std::vector<Dependence> &
+    dependences() const
+    {
+      return node_dependences;
+    }
+
+    /// Whether the value at a local node follows from those of others.
+    bool
+    is_dependent(const unsigned int node) const
+    {
+      return dependent[node];
+    }
 
     /// Copies a ghosted, constraint-consistent velocity cell by cell.
     void
@@ -107,8 +138,9 @@ namespace Thalweg
     dealii::DoFHandler<dim>                           scalar_dofs;
     dealii::DoFHandler<dim>                           velocity_dofs;
     dealii::AffineConstraints<double>                 scalar_continuity;
-    dealii::AffineConstraints<double>                 velocity_continuity;
     std::vector<std::array<unsigned int, n_vertices>> cell_nodes;
+    std::vector<Dependence>                           node_dependences;
+    std::vector<bool>                                 dependent;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
       scalar_partitioner;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>

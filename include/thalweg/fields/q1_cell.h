@@ -1,0 +1,135 @@
+#ifndef thalweg_fields_q1_cell_h
+#define thalweg_fields_q1_cell_h
+
+#include <thalweg/mesh/cell_graph.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace Thalweg
+{
+  /**
+   * @brief Shape functions of Q1 on the reference cell and their gradients
+   * on a cell of the graph, inlined for loops over particles and cells.
+   */
+  namespace Q1
+  {
+    /// Values of the 2^dim shape functions at @p xi.
+    template <int dim>
+    inline std::array<double, (1 << dim)>
+    values(const dealii::Point<dim> &xi)
+    {
+      std::array<double, (1 << dim)> shape;
+      shape[0]         = 1.;
+      unsigned int n = 1;
+      for (unsigned int d = 0; d < dim; ++d, n *= 2)
+        for (unsigned int v = 0; v < n; ++v)
+          {
+            shape[v + n] = shape[v] * xi[d];
+            shape[v] *= 1. - xi[d];
+          }
+      return shape;
+    }
+
+    /// Gradients of the shape functions in reference coordinates at @p xi.
+    template <int dim>
+    inline std::array<dealii::Tensor<1, dim>, (1 << dim)>
+    reference_gradients(const dealii::Point<dim> &xi)
+    {
+      std::array<dealii::Tensor<1, dim>, (1 << dim)> gradients;
+      for (unsigned int v = 0; v < (1u << dim); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double product = (v >> d) & 1u ? 1. : -1.;
+            for (unsigned int e = 0; e < dim; ++e)
+              if (e != d)
+                product *= (v >> e) & 1u ? xi[e] : 1. - xi[e];
+            gradients[v][d] = product;
+          }
+      return gradients;
+    }
+
+    /// Shape functions, gradients in real space and the measure's density.
+    template <int dim>
+    struct Point
+    {
+      std::array<double, (1 << dim)>                 values;
+      std::array<dealii::Tensor<1, dim>, (1 << dim)> gradients;
+      /// d x / d xi
+      double determinant;
+      /// Transforms gradients: grad = covariant * reference gradient.
+      dealii::Tensor<2, dim> covariant;
+    };
+
+    /// From values and reference gradients at a point to those in @p cell.
+    template <int dim>
+    inline Point<dim>
+    evaluate(const typename CellGraph<dim>::Cell                          &cell,
+             const std::array<double, (1 << dim)>                         &shape,
+             const std::array<dealii::Tensor<1, dim>, (1 << dim)> &reference)
+    {
+      Point<dim> point;
+      point.values = shape;
+      if (cell.axis_parallel)
+        {
+          point.determinant = cell.measure;
+          for (unsigned int d = 0; d < dim; ++d)
+            point.covariant[d][d] = cell.inverse_extent[d];
+          for (unsigned int v = 0; v < (1u << dim); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              point.gradients[v][d] = reference[v][d] * cell.inverse_extent[d];
+        }
+      else
+        {
+          dealii::Tensor<2, dim> jacobian;
+          for (unsigned int v = 0; v < (1u << dim); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int e = 0; e < dim; ++e)
+                jacobian[d][e] += cell.vertices[v][d] * reference[v][e];
+          point.determinant = determinant(jacobian);
+          point.covariant   = transpose(invert(jacobian));
+          for (unsigned int v = 0; v < (1u << dim); ++v)
+            point.gradients[v] = point.covariant * reference[v];
+        }
+      return point;
+    }
+
+    /// The tensor-product Gauss rule with two points a direction, with the
+    /// shape functions tabulated.
+    template <int dim>
+    struct Gauss
+    {
+      static constexpr unsigned int n_points = 1 << dim;
+      static constexpr double       weight   = 1. / n_points;
+      std::array<dealii::Point<dim>, n_points>                points;
+      std::array<std::array<double, (1 << dim)>, n_points>    values;
+      std::array<std::array<dealii::Tensor<1, dim>, (1 << dim)>, n_points>
+        gradients;
+
+      Gauss()
+      {
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              points[q][d] =
+                .5 + ((q >> d) & 1u ? .5 : -.5) * 0.57735026918962576451;
+            values[q]    = Q1::values<dim>(points[q]);
+            gradients[q] = Q1::reference_gradients<dim>(points[q]);
+          }
+      }
+
+      /// Quadrature point @p q in @p cell; weight() times determinant is
+      /// its weight.
+      Point<dim>
+      evaluate(const typename CellGraph<dim>::Cell &cell,
+               const unsigned int                   q) const
+      {
+        return Q1::evaluate<dim>(cell, values[q], gradients[q]);
+      }
+    };
+  } // namespace Q1
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,87 @@
+#ifndef thalweg_mesh_geometries_tools_h
+#define thalweg_mesh_geometries_tools_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+#include <deal.II/grid/tria.h>
+
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /// Tools that several geometries share.
+  namespace Geometries
+  {
+    /// The names of a box's sides: left, right, bottom, top, front, back are
+    /// 0 to 5, in the order of the lower and upper side of x, y and z.
+    template <int dim>
+    std::map<std::string, dealii::types::boundary_id>
+    box_sides();
+
+    /// @throws dealii::ExcMessage unless @p upper is beyond @p lower in all
+    /// directions; @p what begins the message, as in "The box"
+    template <int dim>
+    void
+    check_corners(const dealii::Point<dim> &lower,
+                  const dealii::Point<dim> &upper,
+                  const std::string &what);
+
+    /**
+     * @brief Numbers the boundary faces: those on a side of the box from
+     * @p lower to @p upper as in box_sides(), all others 2 dim.
+     */
+    template <int dim>
+    void
+    color_box(dealii::Triangulation<dim> &triangulation,
+              const dealii::Point<dim> &lower,
+              const dealii::Point<dim> &upper);
+
+    /**
+     * @brief The sizes of the intervals of a grid line from @p lower to
+     * @p upper that has nodes at all @p fixed positions and is divided as
+     * evenly as they allow, into steps near @p size.
+     *
+     * Fixed positions outside, or closer to an earlier one than a millionth
+     * of @p size, do not count.
+     */
+    std::vector<double>
+    divide(const double lower,
+           const double upper,
+           std::vector<double> fixed,
+           const double size);
+
+    /// The ids at the boundary of @p triangulation, each named by its number.
+    template <int dim>
+    std::map<std::string, dealii::types::boundary_id>
+    numbered_boundaries(const dealii::Triangulation<dim> &triangulation);
+
+    /**
+     * @brief Copies the coarse mesh @p source with its ids and manifolds to
+     * @p target.
+     *
+     * @param what names the mesh at the beginning of a message, as in
+     *   "The mesh file 'a.msh'"
+     * @throws dealii::ExcMessage if @p source has cells other than
+     *   quadrilaterals and hexahedra, inverted cells, or is refined
+     */
+    template <int dim>
+    void
+    copy_coarse_mesh(const dealii::Triangulation<dim> &source,
+                     dealii::Triangulation<dim> &target,
+                     const std::string &what);
+
+    /// Throws a message that cell number @p cell of the mesh @p what is
+    /// inverted.
+    [[noreturn]] void
+    refuse_cell(const std::string &what, const std::string &cell);
+
+    /// What deal.II says in @p exception, without the place in its sources.
+    std::string
+    reason(const std::exception &exception);
+  } // namespace Geometries
+} // namespace Thalweg
+
+#endif

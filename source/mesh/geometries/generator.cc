@@ -1,0 +1,76 @@
+#include <thalweg/mesh/geometries/tools.h>
+#include <thalweg/mesh/geometry.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// Any mesh that deal.II can generate.
+    template <int dim>
+    class Generator : public Geometry<dim>
+    {
+    public:
+      void
+      declare_parameters(const Section &section) override
+      {
+        section.add("Function",
+                    function,
+                    "",
+                    "The name of a function of deal.II's GridGenerator.");
+        section.add("Arguments",
+                    arguments,
+                    "",
+                    "All its arguments after the triangulation, optional "
+                    "ones too, separated by colons; the coordinates of a "
+                    "point by commas.");
+      }
+
+
+      void
+      create(dealii::Triangulation<dim> &triangulation) const override
+      {
+        const std::string what = "The geometry '" + function + "'";
+        dealii::Triangulation<dim> mesh;
+        try
+        {
+          dealii::GridGenerator::generate_from_name_and_arguments(mesh,
+                                                                  function,
+                                                                  arguments);
+        }
+        catch (const std::exception &exception)
+        {
+          AssertThrow(false,
+                      dealii::ExcMessage(
+                        what + " with the arguments '" + arguments
+                        + "' cannot be generated in " + std::to_string(dim)
+                        + " dimensions. Compare the function's name and "
+                          "arguments with deal.II's documentation of "
+                          "GridGenerator; it says:\n"
+                        + Geometries::reason(exception)));
+        }
+        Geometries::copy_coarse_mesh(mesh, triangulation, what);
+        names = Geometries::numbered_boundaries(mesh);
+      }
+
+
+      std::map<std::string, dealii::types::boundary_id>
+      boundary_names() const override
+      {
+        return names;
+      }
+
+    private:
+      std::string function  = "hyper_cube";
+      std::string arguments = "0 : 1 : true";
+      mutable std::map<std::string, dealii::types::boundary_id> names;
+    };
+  } // namespace
+
+  THALWEG_REGISTER(Geometry,
+                   Generator,
+                   "generator",
+                   "any function of deal.II's GridGenerator. Boundaries are "
+                   "called by their numbers.")
+} // namespace Thalweg

@@ -1,0 +1,107 @@
+#ifndef thalweg_fields_boundary_nodes_h
+#define thalweg_fields_boundary_nodes_h
+
+#include <thalweg/fields/boundary_conditions.h>
+#include <thalweg/fields/node_space.h>
+
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief What the boundary conditions ask of the velocities and pressures
+   * at the nodes.
+   *
+   * A node has as many fixed directions as conditions demand: one on a
+   * smooth slip wall, two on an edge between two, all of them where the
+   * velocity is given or the fluid sticks.
+   */
+  template <int dim>
+  class BoundaryNodes
+  {
+  public:
+    /// Reads mesh and conditions; make a new object after the mesh changed.
+    BoundaryNodes(const NodeSpace<dim>          &space,
+                  const BoundaryConditions<dim> &conditions);
+
+    /// Sets the fixed components of a velocity to their values at the time
+    /// of the conditions. Owned entries only; ghosts are not updated.
+    void
+    apply(Vector &velocity) const;
+
+    /// Removes the fixed components.
+    void
+    project(Vector &velocity) const;
+
+    /**
+     * @brief Adds the integral of N_i (V_D . n) over the boundaries with
+     * a given velocity to @p scalar (this rank's cells; not yet folded).
+     * @param scalar m^dim/s
+     */
+    void
+    add_flux(Vector &scalar) const;
+
+    /// A face at the boundary, with two to eight points for integrals.
+    struct Face
+    {
+      unsigned int                     cell;
+      unsigned int                     face_no;
+      dealii::types::boundary_id       id;
+      std::vector<dealii::Point<dim>>  reference_points;
+      std::vector<dealii::Tensor<1, dim>> normals_times_weight; ///< outward
+    };
+
+    /// The faces of locally owned cells at boundaries where fluid can pass.
+    const std::vector<Face> &
+    passable_faces() const
+    {
+      return faces;
+    }
+
+    /// A node where the pressure is given.
+    struct PressureNode
+    {
+      unsigned int               node;
+      dealii::Point<dim>         position;
+      dealii::types::boundary_id id;
+    };
+
+    /// The nodes, owned and ghost, at open boundaries.
+    const std::vector<PressureNode> &
+    pressure_nodes() const
+    {
+      return open_nodes;
+    }
+
+    const BoundaryConditions<dim> &
+    conditions() const
+    {
+      return conditions_;
+    }
+
+  private:
+    struct FixedNode
+    {
+      unsigned int                        node;
+      dealii::Point<dim>                  position;
+      /// For a given velocity, else invalid.
+      dealii::types::boundary_id          velocity_boundary;
+      /// Orthonormal; empty: all directions.
+      std::vector<dealii::Tensor<1, dim>> directions;
+    };
+
+    void
+    collect_nodes();
+
+    void
+    collect_faces();
+
+    const NodeSpace<dim>          &space;
+    const BoundaryConditions<dim> &conditions_;
+    std::vector<FixedNode>         fixed;
+    std::vector<PressureNode>      open_nodes;
+    std::vector<Face>              faces;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef thalweg_fields_expression_h
+#define thalweg_fields_expression_h
+
+#include <deal.II/base/function_parser.h>
+
+#include <memory>
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief A function of x, y(, z) and t from expressions as users write
+   * them in the input file.
+   * @param text the components separated by semicolons
+   * @param n_components how many there must be
+   * @param where the parameter, for the message
+   * @throws dealii::ExcMessage for a wrong number of components or a syntax
+   *   that muParser refuses, naming @p where
+   */
+  template <int dim>
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  parse_expression(const std::string &text,
+                   const unsigned int n_components,
+                   const std::string &where);
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,81 @@
+#ifndef thalweg_interface_cut_cell_h
+#define thalweg_interface_cut_cell_h
+
+#include <thalweg/materials/fluids.h>
+#include <thalweg/mesh/cell_graph.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace Thalweg
+{
+  /**
+   * @brief The integrals of a cell that two fluids share.
+   *
+   * N are the Q1 shape functions, psi is the function that enriches the
+   * pressure (Coppola-Owen and Codina 2005):
+   * psi = sum_v N_v w_v - |phi_h|, with w_v = |phi_v| at independent nodes
+   * and the interpolated value of |phi| at hanging nodes. Defined so, a
+   * pressure with a kink on a plane is represented exactly on every mesh,
+   * and a cell beside a cut hanging face has a psi too although the
+   * interface does not pass through it.
+   */
+  template <int dim>
+  struct CutCell
+  {
+    static constexpr unsigned int n_vertices = 1 << dim;
+    template <typename T>
+    using PerVertex = std::array<T, n_vertices>;
+
+    unsigned int cell; ///< in the graph
+
+    PerVertex<double>            mass;    ///< int rho N_i
+    PerVertex<PerVertex<double>> laplace; ///< int grad N_i . grad N_j / rho
+    PerVertex<dealii::Tensor<1, dim>> gradient; ///< int grad N_i / rho
+
+    bool              enriched = false;
+    PerVertex<double> laplace_star;     ///< int grad N_i . grad psi / rho
+    double            laplace_star_star; ///< int grad psi . grad psi / rho
+    PerVertex<dealii::Tensor<1, dim>> star_divergence; ///< int psi grad N_i
+    PerVertex<dealii::Tensor<1, dim>> star_gradient;   ///< int N_i grad psi
+    dealii::Tensor<1, dim> star_load;         ///< int grad psi
+    dealii::Tensor<1, dim> star_inverse_load; ///< int grad psi / rho
+
+    /// The unit normal of the interface, pointing to fluid 1, and the
+    /// viscosities of a laminate: the arithmetic mean, and the harmonic one
+    /// for shear across the interface.
+    dealii::Tensor<1, dim> normal;
+    double                 arithmetic_viscosity;
+    double                 harmonic_viscosity;
+    double                 negative_fraction;
+  };
+
+  /**
+   * @brief Integrates a cut cell.
+   * @param index its number in the graph
+   * @param cell its geometry
+   * @param phi level set at the vertices, not all of one sign or equal w
+   * @param w what sum N_v w_v - |phi| subtracts from, see CutCell
+   * @param fluids densities and viscosities
+   * @param enrich whether to fill the enrichment; it stays off too where psi
+   *   is too small to matter
+   */
+  template <int dim>
+  CutCell<dim>
+  integrate_cut_cell(const unsigned int                         index,
+                     const typename CellGraph<dim>::Cell       &cell,
+                     const std::array<double, (1 << dim)>      &phi,
+                     const std::array<double, (1 << dim)>      &w,
+                     const Fluids                              &fluids,
+                     const bool                                 enrich);
+
+  /// The volume of the part of a cell where the level set with the values
+  /// @p phi at the vertices is negative.
+  template <int dim>
+  double
+  negative_volume(const typename CellGraph<dim>::Cell  &cell,
+                  const std::array<double, (1 << dim)> &phi);
+} // namespace Thalweg
+
+#endif

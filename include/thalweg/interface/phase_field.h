@@ -1,0 +1,135 @@
+#ifndef thalweg_interface_phase_field_h
+#define thalweg_interface_phase_field_h
+
+#include <thalweg/core/section.h>
+#include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fields/node_space.h>
+#include <thalweg/interface/cut_cell.h>
+#include <thalweg/materials/fluids.h>
+
+#include <vector>
+
+namespace Thalweg
+{
+  /// The parameters of the section "Interface".
+  struct InterfaceParameters
+  {
+    /// Declares the section below @p root.
+    void
+    declare(const Section &root);
+
+    bool        hold_volume = true;
+    std::string enrichment  = "gradient";
+  };
+
+  /**
+   * @brief Where the two fluids are: the level set on the mesh, the cut
+   * cells with their integrals, and the volumes.
+   */
+  template <int dim>
+  class PhaseField
+  {
+  public:
+    PhaseField(const NodeSpace<dim>      &space,
+               const Fluids              &fluids,
+               const InterfaceParameters &parameters);
+
+    /**
+     * @brief Takes the projected level set, shifts it so that fluid 0 keeps
+     * its volume, and builds the cut cells.
+     * @param level_set owned values; negative in fluid 0
+     * @param hold_volume whether to shift; the parameter must allow it too
+     */
+    void
+    rebuild(const Vector &level_set, const bool hold_volume = true);
+
+    /// The volume that fluid 0 is to have, m^dim. rebuild() without shift
+    /// sets it at the start.
+    double target_volume = 0;
+
+    /// The volume of fluid 0 that leaves per second through the boundary
+    /// with the velocity @p velocity, m^dim/s. Collective.
+    double
+    outflow(const Vector &velocity, const BoundaryNodes<dim> &boundary) const;
+
+    /// Ghosted level set after the shift.
+    const Vector &
+    level_set() const
+    {
+      return phi;
+    }
+
+    /// The index of a cell's cut_cells() entry, or -1.
+    int
+    cut_index(const unsigned int cell) const
+    {
+      return cut_of_cell[cell];
+    }
+
+    /// The cut cells, and those beside cut hanging faces.
+    const std::vector<CutCell<dim>> &
+    cut_cells() const
+    {
+      return cuts;
+    }
+
+    /// The fluid that fills the locally owned, uncut cell @p cell.
+    const Fluid &
+    fluid(const unsigned int cell) const
+    {
+      return fluids[fluid_of_cell[cell]];
+    }
+
+    /// Volume of fluid 0 before the last shift, m^dim.
+    double
+    volume_before_shift() const
+    {
+      return unshifted_volume;
+    }
+
+    /// Volume of fluid 0, m^dim.
+    double
+    volume() const
+    {
+      return shifted_volume;
+    }
+
+    /// Volume of the whole domain, m^dim.
+    double
+    total_volume() const
+    {
+      return domain_volume;
+    }
+
+    /// The last shift, in units of the level set.
+    double
+    shift() const
+    {
+      return last_shift;
+    }
+
+  private:
+    double
+    volume_with_shift(const CellField<dim, 1> &values, const double c) const;
+
+    double
+    find_shift(const CellField<dim, 1> &values) const;
+
+    void
+    build_cells();
+
+    const NodeSpace<dim>      &space;
+    const Fluids              &fluids;
+    const InterfaceParameters &parameters;
+    Vector                     phi;
+    std::vector<int>           cut_of_cell;
+    std::vector<unsigned char> fluid_of_cell;
+    std::vector<CutCell<dim>>  cuts;
+    double                     domain_volume    = 0;
+    double                     unshifted_volume = 0;
+    double                     shifted_volume   = 0;
+    double                     last_shift       = 0;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,229 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/q1_cell.h>
+#include <thalweg/interface/phase_field.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  void
+  InterfaceParameters::declare(const Section &root)
+  {
+    const Section section = root.enter("Interface");
+    section.add("Hold volume",
+                hold_volume,
+                "",
+                "Shift the level set by one constant a step so that the first "
+                "fluid has its initial volume, plus what came in through the "
+                "boundaries. The statistics show the volume before and after.");
+    section.add("Enrichment",
+                enrichment,
+                "",
+                "How the pressure is enriched in cells that the interface "
+                "cuts: with a kink in its gradient, or not at all (only to "
+                "show the difference).",
+                dealii::Patterns::Selection("gradient|none"));
+  }
+
+
+
+  template <int dim>
+  PhaseField<dim>::PhaseField(const NodeSpace<dim>      &space,
+                              const Fluids              &fluids,
+                              const InterfaceParameters &parameters)
+    : space(space)
+    , fluids(fluids)
+    , parameters(parameters)
+  {
+    space.initialize_scalar(phi);
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      domain_volume += graph.cell(c).measure;
+    domain_volume =
+      dealii::Utilities::MPI::sum(domain_volume,
+                                  space.mesh().triangulation().get_communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  PhaseField<dim>::volume_with_shift(const CellField<dim, 1> &values,
+                                     const double             c) const
+  {
+    const CellGraph<dim> &graph  = space.mesh().graph();
+    double                volume = 0;
+    for (unsigned int cell = 0; cell < graph.n_owned_cells(); ++cell)
+      {
+        auto shifted = values[cell];
+        for (double &value : shifted)
+          value += c;
+        volume += negative_volume<dim>(graph.cell(cell), shifted);
+      }
+    return dealii::Utilities::MPI::sum(
+      volume, space.mesh().triangulation().get_communicator());
+  }
+
+
+
+  template <int dim>
+  double
+  PhaseField<dim>::find_shift(const CellField<dim, 1> &values) const
+  {
+    const double tolerance = 1e-13 * domain_volume;
+    double       left = 0., f_left = unshifted_volume - target_volume;
+    if (std::abs(f_left) <= tolerance)
+      return 0.;
+
+    // The volume falls as the shift grows: bracket the root, then close in
+    // on it by regula falsi with the Illinois modification.
+    const double largest = phi.linfty_norm();
+    double       right = 0., f_right = f_left;
+    for (double step = std::copysign(.05 * largest, f_left);
+         f_right * f_left > 0 && std::abs(step) < 4. * largest;
+         step *= 2.)
+      {
+        left    = right;
+        f_left  = f_right;
+        right   = step;
+        f_right = volume_with_shift(values, right) - target_volume;
+      }
+    if (f_right * f_left > 0)
+      return 0.;
+    double middle = right;
+    for (unsigned int iteration = 0; iteration < 100; ++iteration)
+      {
+        middle         = (left * f_right - right * f_left) / (f_right - f_left);
+        const double f = volume_with_shift(values, middle) - target_volume;
+        if (std::abs(f) <= tolerance ||
+            std::abs(right - left) <= 1e-15 * largest)
+          break;
+        if (f * f_right < 0)
+          {
+            left   = right;
+            f_left = f_right;
+          }
+        else
+          f_left *= .5;
+        right   = middle;
+        f_right = f;
+      }
+    return middle;
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::rebuild(const Vector &level_set, const bool hold_volume)
+  {
+    phi.copy_locally_owned_data_from(level_set);
+    space.interpolate(phi, 1);
+    last_shift = 0;
+    if (fluids.size() == 2)
+      {
+        CellField<dim, 1> values;
+        space.copy_to_cells(phi, values);
+        unshifted_volume = volume_with_shift(values, 0.);
+        if (hold_volume && parameters.hold_volume)
+          last_shift = find_shift(values);
+        if (last_shift != 0.)
+          {
+            phi.zero_out_ghost_values();
+            phi.add(last_shift);
+            space.interpolate(phi, 1);
+            space.copy_to_cells(phi, values);
+          }
+        shifted_volume = last_shift == 0. ? unshifted_volume :
+                                            volume_with_shift(values, 0.);
+      }
+    else
+      unshifted_volume = shifted_volume = domain_volume;
+    build_cells();
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::build_cells()
+  {
+    const CellGraph<dim> &graph = space.mesh().graph();
+    cut_of_cell.assign(graph.n_owned_cells(), -1);
+    fluid_of_cell.assign(graph.n_owned_cells(), 0);
+    cuts.clear();
+    if (fluids.size() == 1)
+      return;
+
+    Vector absolute;
+    space.initialize_scalar(absolute);
+    for (unsigned int i = 0; i < absolute.locally_owned_size(); ++i)
+      absolute.local_element(i) = std::abs(phi.local_element(i));
+    space.interpolate(absolute, 1);
+
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        std::array<double, (1 << dim)> values, w;
+        bool                           is_cut = false;
+        double                         sum    = 0;
+        for (unsigned int v = 0; v < values.size(); ++v)
+          {
+            values[v] = phi.local_element(space.nodes(c)[v]);
+            w[v]      = absolute.local_element(space.nodes(c)[v]);
+            sum += values[v];
+            is_cut = is_cut || w[v] > std::abs(values[v]) * (1. + 1e-12);
+          }
+        const auto [smallest, largest] =
+          std::minmax_element(values.begin(), values.end());
+        is_cut = is_cut || (*smallest < 0 && *largest > 0);
+        fluid_of_cell[c] = sum < 0 ? 0 : 1;
+        if (is_cut)
+          {
+            cut_of_cell[c] = cuts.size();
+            cuts.push_back(integrate_cut_cell<dim>(c,
+                                                   graph.cell(c),
+                                                   values,
+                                                   w,
+                                                   fluids,
+                                                   parameters.enrichment !=
+                                                     "none"));
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  PhaseField<dim>::outflow(const Vector             &velocity,
+                           const BoundaryNodes<dim> &boundary) const
+  {
+    double flux = 0;
+    for (const auto &face : boundary.passable_faces())
+      for (unsigned int q = 0; q < face.reference_points.size(); ++q)
+        {
+          const auto shape  = Q1::values<dim>(face.reference_points[q]);
+          double     value  = 0;
+          double     normal = 0;
+          for (unsigned int v = 0; v < shape.size(); ++v)
+            {
+              const unsigned int node = space.nodes(face.cell)[v];
+              value += shape[v] * phi.local_element(node);
+              for (unsigned int d = 0; d < dim; ++d)
+                normal += shape[v] * velocity.local_element(dim * node + d) *
+                          face.normals_times_weight[q][d];
+            }
+          if (fluids.size() == 1 || value < 0)
+            flux += normal;
+        }
+    return dealii::Utilities::MPI::sum(
+      flux, space.mesh().triangulation().get_communicator());
+  }
+
+
+
+  THALWEG_INSTANTIATE(PhaseField)
+} // namespace Thalweg

@@ -33,6 +33,17 @@ namespace Thalweg
       return shape;
     }
 
+    /// The mean of a cell's corners.
+    template <int dim>
+    inline dealii::Point<dim>
+    center(const typename CellGraph<dim>::Cell &cell)
+    {
+      dealii::Point<dim> sum;
+      for (const auto &vertex : cell.vertices)
+        sum += dealii::Tensor<1, dim>(vertex);
+      return sum / static_cast<double>(1 << dim);
+    }
+
     /// Gradients of the shape functions in reference coordinates at @p xi.
     template <int dim>
     inline std::array<dealii::Tensor<1, dim>, (1 << dim)>

@@ -1,0 +1,51 @@
+#ifndef thalweg_fluid_fluid_solver_h
+#define thalweg_fluid_fluid_solver_h
+
+#include <thalweg/core/context.h>
+#include <thalweg/core/registry.h>
+#include <thalweg/fluid/body_forces.h>
+#include <thalweg/interface/phase_field.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief What remains of the flow equations on the mesh when particles
+   * have done the convection: linear, and registered under "Fluid solver".
+   */
+  template <int dim>
+  class FluidSolver
+  {
+  public:
+    virtual ~FluidSolver() = default;
+
+    virtual void
+    declare_parameters(const Section &section) = 0;
+
+    /// Sets up for the present mesh. All references must outlive the solver.
+    virtual void
+    initialize(Context                  &context,
+               const NodeSpace<dim>     &space,
+               const BoundaryNodes<dim> &boundary,
+               const PhaseField<dim>    &phase,
+               const BodyForces<dim>    &forces) = 0;
+
+    /**
+     * @brief From the convected velocity to that at the end of the step.
+     * @param velocity_star projected from the particles, ghosted, m/s
+     * @param dt s
+     * @throws SolverFailure
+     */
+    virtual void
+    solve(const Vector &velocity_star, const double dt) = 0;
+
+    /// V^{n+1}, ghosted, m/s.
+    virtual Vector &
+    velocity() = 0;
+
+    /// p^{n+1} at the nodes, ghosted, Pa.
+    virtual Vector &
+    pressure() = 0;
+  };
+} // namespace Thalweg
+
+#endif

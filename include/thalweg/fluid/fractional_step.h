@@ -1,0 +1,90 @@
+#ifndef thalweg_fluid_fractional_step_h
+#define thalweg_fluid_fractional_step_h
+
+#include <thalweg/fluid/fluid_solver.h>
+#include <thalweg/fluid/pressure_system.h>
+#include <thalweg/fluid/viscous_operator.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief The fractional step for one or two fluids (Eq. 87) with equal
+   * order Q1 velocity and enriched Q1 pressure.
+   *
+   * The pressure of the convected velocity and the body forces is found
+   * first, so that the viscous predictor sees balanced forces (fluids at
+   * rest stay at rest, and a steady viscous flow has no splitting error);
+   * then steps B to D repeat until the velocity no longer changes.
+   */
+  template <int dim>
+  class FractionalStep : public FluidSolver<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) override;
+
+    void
+    initialize(Context                  &context,
+               const NodeSpace<dim>     &space,
+               const BoundaryNodes<dim> &boundary,
+               const PhaseField<dim>    &phase,
+               const BodyForces<dim>    &forces) override;
+
+    void
+    solve(const Vector &velocity_star, const double dt) override;
+
+    Vector &
+    velocity() override
+    {
+      return v;
+    }
+
+    Vector &
+    pressure() override
+    {
+      return p.nodal;
+    }
+
+  private:
+    /// Lumped masses M(rho) for the present phases.
+    void
+    assemble_mass();
+
+    /// v += dt M^{-1} (forces - int N grad p), then boundary values.
+    void
+    accelerate(const EnrichedPressure &pressure,
+               const bool              with_forces,
+               const double            dt);
+
+    /// (87b): v += (M/dt + K)^{-1} (-K v)
+    void
+    predict(const double dt);
+
+    /// Ends the step: removes the constant of the pressure where it is free.
+    void
+    normalize_pressure();
+
+    unsigned int iterations           = 2;
+    double       iteration_tolerance  = 1e-4;
+    double       pressure_tolerance   = 1e-6;
+    double       velocity_tolerance   = 1e-8;
+    unsigned int maximal_cg_iterations = 1000;
+
+    Context                              *context  = nullptr;
+    const NodeSpace<dim>                 *space    = nullptr;
+    const BoundaryNodes<dim>             *boundary = nullptr;
+    const PhaseField<dim>                *phase    = nullptr;
+    const BodyForces<dim>                *forces   = nullptr;
+    Q1Integrals<dim>                      integrals;
+    std::unique_ptr<PressureSystem<dim>>  pressure_system;
+    std::unique_ptr<ViscousOperator<dim>> viscous;
+    Vector                                mass;
+    Vector                                force;
+    Vector                                change;
+    Vector                                v;
+    EnrichedPressure                      p;
+    EnrichedPressure                      dp;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,113 @@
+#ifndef thalweg_fluid_pressure_system_h
+#define thalweg_fluid_pressure_system_h
+
+#include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fields/q1_integrals.h>
+#include <thalweg/fluid/body_forces.h>
+#include <thalweg/interface/phase_field.h>
+#include <thalweg/linear_algebra/amg.h>
+#include <thalweg/linear_algebra/krylov.h>
+
+#include <memory>
+
+namespace dealii
+{
+  namespace TrilinosWrappers
+  {
+    class SparseMatrix;
+  }
+} // namespace dealii
+
+namespace Thalweg
+{
+  /// A pressure: nodal values and one value of the enrichment a cut cell.
+  struct EnrichedPressure
+  {
+    Vector              nodal; ///< Pa, ghosted and consistent
+    std::vector<double> star;  ///< in the order of PhaseField::cut_cells()
+  };
+
+  /**
+   * @brief The pressure equation of a fractional step with the enrichment
+   * condensed (Eq. 82 to 85).
+   *
+   * For a velocity V that forces g (and f/rho) act on during dt,
+   *
+   *   (grad q, grad p / rho) = (grad q, V)/dt + (grad q, g + f/rho)
+   *                            - <q, V_D . n>/dt
+   *
+   * for the standard functions q, and for the enrichment function psi of a
+   * cut cell, which does not vanish on the cell's faces,
+   *
+   *   (grad psi, grad p / rho) = -(psi, div V)/dt + (grad psi, g + f/rho).
+   */
+  template <int dim>
+  class PressureSystem
+  {
+  public:
+    PressureSystem(const NodeSpace<dim>     &space,
+                   const BoundaryNodes<dim> &boundary,
+                   const PhaseField<dim>    &phase,
+                   const BodyForces<dim>    &forces);
+    ~PressureSystem();
+
+    /// Assembles the condensed matrix for the present phases.
+    void
+    assemble();
+
+    /**
+     * @brief Solves for the increment that @p pressure lacks and adds it.
+     * @param velocity ghosted, with its boundary values
+     * @param dt s
+     * @param with_forces whether body forces act (first solve of a step), or
+     *   have been balanced already
+     * @param pressure its residual is the right hand side
+     * @param tolerance relative to the norm of the first right hand side of
+     *   the step, with all forces and no pressure
+     * @return cost of the solve
+     * @throws SolverFailure
+     */
+    SolveReport
+    correct(const Vector     &velocity,
+            const double      dt,
+            const bool        with_forces,
+            EnrichedPressure &pressure,
+            const double      tolerance,
+            const unsigned int maximal_iterations);
+
+    /// Adds int N_i grad p in N, of this rank's cells; not folded.
+    void
+    add_gradient(const EnrichedPressure &pressure, Vector &force) const;
+
+    /// Sets the nodes at open boundaries to their value.
+    void
+    apply_open_boundary(Vector &pressure) const;
+
+    /// How often a multigrid hierarchy was built.
+    unsigned int
+    n_amg_builds() const
+    {
+      return amg.n_builds();
+    }
+
+  private:
+    void
+    initialize_matrix();
+
+    const NodeSpace<dim>     &space;
+    const BoundaryNodes<dim> &boundary;
+    const PhaseField<dim>    &phase;
+    const BodyForces<dim>    &forces;
+    Q1Integrals<dim>          integrals;
+
+    dealii::AffineConstraints<double>                       constraints;
+    std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;
+    AmgPreconditioner                                       amg;
+    bool                                                    singular;
+    double                                                  reference_norm = 0;
+    Vector                                                  residual;
+    Vector                                                  increment;
+  };
+} // namespace Thalweg
+
+#endif

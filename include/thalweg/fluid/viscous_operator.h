@@ -1,0 +1,77 @@
+#ifndef thalweg_fluid_viscous_operator_h
+#define thalweg_fluid_viscous_operator_h
+
+#include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fields/q1_integrals.h>
+#include <thalweg/interface/phase_field.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief M(rho)/dt + K(mu), the operator of the viscous predictor
+   * (Eq. 87b), without a matrix.
+   *
+   * M is lumped; K has the full symmetric stress, int 2 mu eps(u) : eps(v).
+   * In cut cells the fluids form a laminate: shear across the interface
+   * sees the harmonic mean of the viscosities, all else the arithmetic one.
+   * Fixed velocity components are projected out, so the operator is
+   * symmetric and positive definite on what remains.
+   */
+  template <int dim>
+  class ViscousOperator
+  {
+  public:
+    ViscousOperator(const NodeSpace<dim>     &space,
+                    const BoundaryNodes<dim> &boundary,
+                    const PhaseField<dim>    &phase);
+
+    /// @param mass_ lumped masses, kg, a value a node
+    /// @param dt s
+    void
+    update(const Vector &mass_, const double dt);
+
+    /// Adds -K v, in N, of this rank's cells; not folded.
+    void
+    subtract_viscous_force(const Vector &velocity, Vector &force) const;
+
+    /// destination = P (M/dt + K) P source
+    void
+    vmult(Vector &destination, const Vector &source) const;
+
+    /// The inverse diagonal as a preconditioner.
+    struct Jacobi
+    {
+      Vector inverse_diagonal;
+
+      void
+      vmult(Vector &destination, const Vector &source) const
+      {
+        destination = source;
+        destination.scale(inverse_diagonal);
+      }
+    };
+
+    const Jacobi &
+    jacobi() const
+    {
+      return diagonal;
+    }
+
+  private:
+    /// The stress for a velocity gradient in a cell.
+    dealii::Tensor<2, dim>
+    stress(const unsigned int            cell,
+           const dealii::Tensor<2, dim> &velocity_gradient) const;
+
+    const NodeSpace<dim>     &space;
+    const BoundaryNodes<dim> &boundary;
+    const PhaseField<dim>    &phase;
+    Q1::Gauss<dim>            gauss;
+    const Vector             *mass = nullptr;
+    double                    dt   = 1.;
+    Jacobi                    diagonal;
+    mutable Vector            work;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef thalweg_transfer_projection_h
+#define thalweg_transfer_projection_h
+
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/node_space.h>
+#include <thalweg/materials/fluids.h>
+#include <thalweg/particles/population.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief From the particles to the nodes; registered under "Projection".
+   */
+  template <int dim>
+  class Projection
+  {
+  public:
+    virtual ~Projection() = default;
+
+    virtual void
+    declare_parameters(const Section &section) = 0;
+
+    /**
+     * @brief Projects what the particles carry.
+     * @param population particles with valid reference coordinates
+     * @param space nodes to project to
+     * @param fluids for the particles' densities
+     * @param velocity in: fallback at nodes that no particle reaches; out:
+     *   V*, ghosted, m/s
+     * @param level_set likewise
+     */
+    virtual void
+    project(const Population<dim> &population,
+            const NodeSpace<dim>  &space,
+            const Fluids          &fluids,
+            Vector                &velocity,
+            Vector                &level_set) const = 0;
+  };
+
+  /// V_p += (V^{n+1} - V*)(x_p), Eq. 81e and 87.
+  template <int dim>
+  void
+  add_increment(Population<dim>      &population,
+                const NodeSpace<dim> &space,
+                const Vector         &new_velocity,
+                const Vector         &velocity_star);
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,158 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/q1_integrals.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  Q1Integrals<dim>::Q1Integrals()
+    : divergence_table{}
+    , laplace_table{}
+  {
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      for (unsigned int i = 0; i < n_vertices; ++i)
+        for (unsigned int j = 0; j < n_vertices; ++j)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              divergence_table[i][j][d] +=
+                gauss.weight * gauss.gradients[q][i][d] * gauss.values[q][j];
+              laplace_table[i][j][d] += gauss.weight *
+                                        gauss.gradients[q][i][d] *
+                                        gauss.gradients[q][j][d];
+            }
+  }
+
+
+
+  template <int dim>
+  void
+  Q1Integrals<dim>::add_divergence(const Cell        &cell,
+                                   const Velocity    &velocity,
+                                   PerVertex<double> &result) const
+  {
+    if (cell.axis_parallel)
+      {
+        const dealii::Tensor<1, dim> scale =
+          cell.measure * cell.inverse_extent;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              result[i] += scale[d] * divergence_table[i][j][d] *
+                           velocity[dim * j + d];
+        return;
+      }
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto             point = gauss.evaluate(cell, q);
+        dealii::Tensor<1, dim> value;
+        for (unsigned int j = 0; j < n_vertices; ++j)
+          for (unsigned int d = 0; d < dim; ++d)
+            value[d] += point.values[j] * velocity[dim * j + d];
+        value *= gauss.weight * point.determinant;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          result[i] += point.gradients[i] * value;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Q1Integrals<dim>::add_gradient(const Cell              &cell,
+                                 const PerVertex<double> &pressure,
+                                 Velocity                &result) const
+  {
+    if (cell.axis_parallel)
+      {
+        const dealii::Tensor<1, dim> scale =
+          cell.measure * cell.inverse_extent;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              result[dim * i + d] +=
+                scale[d] * divergence_table[j][i][d] * pressure[j];
+        return;
+      }
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto             point = gauss.evaluate(cell, q);
+        dealii::Tensor<1, dim> gradient;
+        for (unsigned int j = 0; j < n_vertices; ++j)
+          gradient += pressure[j] * point.gradients[j];
+        gradient *= gauss.weight * point.determinant;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            result[dim * i + d] += point.values[i] * gradient[d];
+      }
+  }
+
+
+
+  template <int dim>
+  typename Q1Integrals<dim>::template PerVertex<
+    typename Q1Integrals<dim>::template PerVertex<double>>
+  Q1Integrals<dim>::laplace(const Cell &cell) const
+  {
+    PerVertex<PerVertex<double>> matrix{};
+    if (cell.axis_parallel)
+      {
+        dealii::Tensor<1, dim> scale;
+        for (unsigned int d = 0; d < dim; ++d)
+          scale[d] = cell.measure * cell.inverse_extent[d] *
+                     cell.inverse_extent[d];
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            matrix[i][j] = scale * laplace_table[i][j];
+        return matrix;
+      }
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto point = gauss.evaluate(cell, q);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            matrix[i][j] += gauss.weight * point.determinant *
+                            (point.gradients[i] * point.gradients[j]);
+      }
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  typename Q1Integrals<dim>::template PerVertex<double>
+  Q1Integrals<dim>::node_measures(const Cell &cell) const
+  {
+    PerVertex<double> result{};
+    if (cell.axis_parallel)
+      {
+        result.fill(cell.measure / n_vertices);
+        return result;
+      }
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto point = gauss.evaluate(cell, q);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          result[i] += gauss.weight * point.determinant * point.values[i];
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  typename Q1Integrals<dim>::template PerVertex<dealii::Tensor<1, dim>>
+  Q1Integrals<dim>::gradient_integrals(const Cell &cell) const
+  {
+    PerVertex<dealii::Tensor<1, dim>> result{};
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto point = gauss.evaluate(cell, q);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          result[i] += gauss.weight * point.determinant * point.gradients[i];
+      }
+    return result;
+  }
+
+
+
+  THALWEG_INSTANTIATE(Q1Integrals)
+} // namespace Thalweg

@@ -1,0 +1,340 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fluid/pressure_system.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// The right hand side of a cell and, where it is enriched, of psi.
+    template <int dim>
+    struct Load
+    {
+      std::array<double, (1 << dim)> nodal{};
+      double                         star = 0;
+    };
+
+
+
+    /// Values of a ghosted scalar at the nodes of a cell.
+    template <int dim>
+    std::array<double, (1 << dim)>
+    gather(const Vector &vector, const std::array<unsigned int, (1 << dim)> &nodes)
+    {
+      std::array<double, (1 << dim)> values;
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        values[v] = vector.local_element(nodes[v]);
+      return values;
+    }
+
+
+
+    /// Values of a ghosted velocity at the nodes of a cell.
+    template <int dim>
+    std::array<double, dim *(1 << dim)>
+    gather_velocity(const Vector                                 &vector,
+                    const std::array<unsigned int, (1 << dim)> &nodes)
+    {
+      std::array<double, dim *(1 << dim)> values;
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          values[dim * v + d] = vector.local_element(dim * nodes[v] + d);
+      return values;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  PressureSystem<dim>::PressureSystem(const NodeSpace<dim>     &space,
+                                      const BoundaryNodes<dim> &boundary,
+                                      const PhaseField<dim>    &phase,
+                                      const BodyForces<dim>    &forces)
+    : space(space)
+    , boundary(boundary)
+    , phase(phase)
+    , forces(forces)
+    , singular(!boundary.conditions().has_open_boundary())
+  {
+    space.initialize_scalar(residual);
+    space.initialize_scalar(increment);
+    initialize_matrix();
+  }
+
+
+
+  template <int dim>
+  PressureSystem<dim>::~PressureSystem() = default;
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::initialize_matrix()
+  {
+    const auto &dofs = space.scalar();
+    constraints.copy_from(space.scalar_constraints());
+    dealii::AffineConstraints<double> open(
+      space.scalar_constraints().get_local_lines());
+    for (const auto &node : boundary.pressure_nodes())
+      {
+        const auto index =
+          residual.get_partitioner()->local_to_global(node.node);
+        if (open.can_store_line(index))
+          open.add_line(index);
+      }
+    open.close();
+    constraints.merge(
+      open, dealii::AffineConstraints<double>::left_object_wins);
+    constraints.close();
+
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    dealii::DynamicSparsityPattern pattern(relevant);
+    dealii::DoFTools::make_sparsity_pattern(dofs, pattern, constraints, false);
+    dealii::SparsityTools::distribute_sparsity_pattern(
+      pattern, dofs.locally_owned_dofs(), dofs.get_communicator(), relevant);
+    matrix = std::make_unique<dealii::TrilinosWrappers::SparseMatrix>();
+    matrix->reinit(dofs.locally_owned_dofs(), pattern, dofs.get_communicator());
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::assemble()
+  {
+    constexpr unsigned int n     = 1 << dim;
+    const CellGraph<dim>  &graph = space.mesh().graph();
+    *matrix                      = 0.;
+    dealii::FullMatrix<double>                   local(n, n);
+    std::vector<dealii::types::global_dof_index> indices(n);
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const int cut_index = phase.cut_index(c);
+        if (cut_index < 0)
+          {
+            const auto   laplace = integrals.laplace(graph.cell(c));
+            const double inverse = 1. / phase.fluid(c).density;
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                local(i, j) = inverse * laplace[i][j];
+          }
+        else
+          {
+            const CutCell<dim> &cut = phase.cut_cells()[cut_index];
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                local(i, j) = cut.laplace[i][j] -
+                              (cut.enriched ? cut.laplace_star[i] *
+                                                cut.laplace_star[j] /
+                                                cut.laplace_star_star :
+                                              0.);
+          }
+        for (unsigned int v = 0; v < n; ++v)
+          indices[v] =
+            residual.get_partitioner()->local_to_global(space.nodes(c)[v]);
+        constraints.distribute_local_to_global(local, indices, *matrix);
+      }
+    matrix->compress(dealii::VectorOperation::add);
+
+    if (singular)
+      {
+        // The constant is fixed by raising one diagonal entry: compatible
+        // right hand sides are solved exactly, the value there is zero.
+        const auto first = space.scalar().locally_owned_dofs();
+        if (dealii::Utilities::MPI::this_mpi_process(
+              space.scalar().get_communicator()) == 0)
+          for (const auto index : first)
+            if (!constraints.is_constrained(index))
+              {
+                matrix->add(index, index, matrix->diag_element(index));
+                break;
+              }
+        matrix->compress(dealii::VectorOperation::add);
+      }
+    amg.update(*matrix);
+  }
+
+
+
+  template <int dim>
+  SolveReport
+  PressureSystem<dim>::correct(const Vector      &velocity,
+                               const double       dt,
+                               const bool         with_forces,
+                               EnrichedPressure  &pressure,
+                               const double       tolerance,
+                               const unsigned int maximal_iterations)
+  {
+    constexpr unsigned int n     = 1 << dim;
+    const CellGraph<dim>  &graph = space.mesh().graph();
+    const auto            &g     = forces.gravity();
+    const auto            &cuts  = phase.cut_cells();
+    std::vector<double>    star_residual(cuts.size(), 0.);
+
+    // The load alone, of which the norm is the measure for tolerances, then
+    // the residual.
+    for (const bool subtract_pressure : {false, true})
+      {
+        if (!with_forces && !subtract_pressure)
+          continue;
+        residual = 0.;
+        boundary.add_flux(residual);
+        residual *= -1. / dt;
+        for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+          {
+            const auto &cell  = graph.cell(c);
+            const auto &nodes = space.nodes(c);
+            const auto  u     = gather_velocity<dim>(velocity, nodes);
+            Load<dim>   load;
+            integrals.add_divergence(cell, u, load.nodal);
+            for (double &value : load.nodal)
+              value /= dt;
+            const int           cut_index = phase.cut_index(c);
+            const CutCell<dim> *cut =
+              cut_index < 0 ? nullptr : &cuts[cut_index];
+            if (cut && cut->enriched)
+              for (unsigned int v = 0; v < n; ++v)
+                for (unsigned int d = 0; d < dim; ++d)
+                  load.star -=
+                    cut->star_divergence[v][d] * u[dim * v + d] / dt;
+            if (with_forces)
+              {
+                const auto gradients = integrals.gradient_integrals(cell);
+                const auto f         = forces.has_density() ?
+                                         forces.density(Q1::center<dim>(cell)) :
+                                         dealii::Tensor<1, dim>();
+                for (unsigned int v = 0; v < n; ++v)
+                  load.nodal[v] +=
+                    g * gradients[v] +
+                    f * (cut ? cut->gradient[v] :
+                               gradients[v] / phase.fluid(c).density);
+                if (cut && cut->enriched)
+                  load.star += g * cut->star_load + f * cut->star_inverse_load;
+              }
+            if (subtract_pressure && with_forces)
+              {
+                const auto p = gather<dim>(pressure.nodal, nodes);
+                if (cut)
+                  {
+                    const double star = pressure.star[cut_index];
+                    for (unsigned int i = 0; i < n; ++i)
+                      {
+                        for (unsigned int j = 0; j < n; ++j)
+                          load.nodal[i] -= cut->laplace[i][j] * p[j];
+                        if (cut->enriched)
+                          {
+                            load.nodal[i] -= cut->laplace_star[i] * star;
+                            load.star -= cut->laplace_star[i] * p[i];
+                          }
+                      }
+                    if (cut->enriched)
+                      load.star -= cut->laplace_star_star * star;
+                  }
+                else
+                  {
+                    const auto   laplace = integrals.laplace(cell);
+                    const double inverse = 1. / phase.fluid(c).density;
+                    for (unsigned int i = 0; i < n; ++i)
+                      for (unsigned int j = 0; j < n; ++j)
+                        load.nodal[i] -= inverse * laplace[i][j] * p[j];
+                  }
+              }
+            if (cut && cut->enriched)
+              {
+                star_residual[cut_index] = load.star;
+                for (unsigned int v = 0; v < n; ++v)
+                  load.nodal[v] -= cut->laplace_star[v] * load.star /
+                                   cut->laplace_star_star;
+              }
+            for (unsigned int v = 0; v < n; ++v)
+              residual.local_element(nodes[v]) += load.nodal[v];
+          }
+        space.fold(residual, 1);
+        for (const auto &node : boundary.pressure_nodes())
+          if (node.node < residual.locally_owned_size())
+            residual.local_element(node.node) = 0.;
+        if (!subtract_pressure)
+          reference_norm = residual.l2_norm();
+      }
+
+    increment = 0.;
+    SolveReport report;
+    if (reference_norm > 0)
+      report = solve_cg(*matrix,
+                        increment,
+                        residual,
+                        amg,
+                        tolerance * reference_norm,
+                        maximal_iterations,
+                        "pressure");
+    amg.report(report.iterations);
+    if (reference_norm > 0)
+      report.residual /= reference_norm;
+    space.interpolate(increment, 1);
+
+    pressure.nodal.zero_out_ghost_values();
+    pressure.nodal.add(1., increment);
+    space.interpolate(pressure.nodal, 1);
+    for (unsigned int k = 0; k < cuts.size(); ++k)
+      if (cuts[k].enriched)
+        {
+          double star = star_residual[k];
+          for (unsigned int v = 0; v < n; ++v)
+            star -= cuts[k].laplace_star[v] *
+                    increment.local_element(space.nodes(cuts[k].cell)[v]);
+          pressure.star[k] += star / cuts[k].laplace_star_star; // (85)
+        }
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_gradient(const EnrichedPressure &pressure,
+                                    Vector                 &force) const
+  {
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto &nodes = space.nodes(c);
+        std::array<double, dim *(1 << dim)> result{};
+        integrals.add_gradient(graph.cell(c),
+                               gather<dim>(pressure.nodal, nodes),
+                               result);
+        const int cut_index = phase.cut_index(c);
+        if (cut_index >= 0 && phase.cut_cells()[cut_index].enriched)
+          for (unsigned int v = 0; v < nodes.size(); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              result[dim * v + d] +=
+                phase.cut_cells()[cut_index].star_gradient[v][d] *
+                pressure.star[cut_index];
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            force.local_element(dim * nodes[v] + d) += result[dim * v + d];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::apply_open_boundary(Vector &pressure) const
+  {
+    for (const auto &node : boundary.pressure_nodes())
+      if (node.node < pressure.locally_owned_size())
+        pressure.local_element(node.node) =
+          boundary.conditions().at(node.id).function->value(node.position);
+  }
+
+
+
+  THALWEG_INSTANTIATE(PressureSystem)
+} // namespace Thalweg

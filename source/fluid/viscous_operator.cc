@@ -1,0 +1,135 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fluid/viscous_operator.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  ViscousOperator<dim>::ViscousOperator(const NodeSpace<dim>     &space,
+                                        const BoundaryNodes<dim> &boundary,
+                                        const PhaseField<dim>    &phase)
+    : space(space)
+    , boundary(boundary)
+    , phase(phase)
+  {
+    space.initialize_velocity(work);
+    space.initialize_velocity(diagonal.inverse_diagonal);
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<2, dim>
+  ViscousOperator<dim>::stress(
+    const unsigned int            cell,
+    const dealii::Tensor<2, dim> &velocity_gradient) const
+  {
+    const dealii::Tensor<2, dim> twice_rate =
+      velocity_gradient + transpose(velocity_gradient);
+    const int cut_index = phase.cut_index(cell);
+    if (cut_index < 0)
+      return phase.fluid(cell).viscosity * twice_rate;
+
+    const CutCell<dim>          &cut      = phase.cut_cells()[cut_index];
+    const dealii::Tensor<1, dim> traction = twice_rate * cut.normal;
+    const dealii::Tensor<1, dim> shear =
+      traction - (traction * cut.normal) * cut.normal;
+    return cut.arithmetic_viscosity * twice_rate +
+           (cut.harmonic_viscosity - cut.arithmetic_viscosity) *
+             (outer_product(shear, cut.normal) +
+              outer_product(cut.normal, shear));
+  }
+
+
+
+  template <int dim>
+  void
+  ViscousOperator<dim>::subtract_viscous_force(const Vector &velocity,
+                                               Vector       &force) const
+  {
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto                          &nodes = space.nodes(c);
+        std::array<dealii::Tensor<1, dim>, (1 << dim)> u, f;
+        for (unsigned int v = 0; v < u.size(); ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            u[v][d] = velocity.local_element(dim * nodes[v] + d);
+        for (unsigned int q = 0; q < gauss.n_points; ++q)
+          {
+            const auto             point = gauss.evaluate(graph.cell(c), q);
+            dealii::Tensor<2, dim> gradient;
+            for (unsigned int v = 0; v < u.size(); ++v)
+              gradient += outer_product(u[v], point.gradients[v]);
+            const dealii::Tensor<2, dim> sigma =
+              (gauss.weight * point.determinant) * stress(c, gradient);
+            for (unsigned int v = 0; v < u.size(); ++v)
+              f[v] -= sigma * point.gradients[v];
+          }
+        for (unsigned int v = 0; v < u.size(); ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            force.local_element(dim * nodes[v] + d) += f[v][d];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ViscousOperator<dim>::update(const Vector &mass_, const double time_step)
+  {
+    mass = &mass_;
+    dt   = time_step;
+
+    Vector &inverse = diagonal.inverse_diagonal;
+    inverse         = 0.;
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      for (unsigned int q = 0; q < gauss.n_points; ++q)
+        {
+          const auto   point  = gauss.evaluate(graph.cell(c), q);
+          const double weight = gauss.weight * point.determinant;
+          for (unsigned int v = 0; v < point.values.size(); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                dealii::Tensor<2, dim> gradient;
+                gradient[d] = point.gradients[v];
+                inverse.local_element(dim * space.nodes(c)[v] + d) +=
+                  weight * (stress(c, gradient)[d] * point.gradients[v]);
+              }
+        }
+    space.fold(inverse, dim);
+    for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double &entry = inverse.local_element(dim * n + d);
+          entry = space.is_dependent(n) ? 1. :
+                                          1. / (entry + mass->local_element(n) / dt);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ViscousOperator<dim>::vmult(Vector &destination, const Vector &source) const
+  {
+    work.copy_locally_owned_data_from(source);
+    boundary.project(work);
+    space.interpolate(work, dim);
+    destination = 0.;
+    subtract_viscous_force(work, destination);
+    space.fold(destination, dim);
+    for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        destination.local_element(dim * n + d) =
+          space.is_dependent(n) ?
+            source.local_element(dim * n + d) :
+            mass->local_element(n) / dt * work.local_element(dim * n + d) -
+              destination.local_element(dim * n + d);
+    boundary.project(destination);
+  }
+
+
+
+  THALWEG_INSTANTIATE(ViscousOperator)
+} // namespace Thalweg

@@ -47,18 +47,35 @@ namespace Thalweg
       return mesh_;
     }
 
-    /// The next free particle id of this rank: ids are unique over all ranks
-    /// and do not depend on what other ranks do.
+    /**
+     * @brief The next free particle id of this rank.
+     *
+     * Ids are unique over all ranks and do not depend on what other ranks
+     * do: each rank has every n-th number for itself.
+     * @throws dealii::ExcMessage when the ids are exhausted
+     */
     dealii::types::particle_index
     next_id();
+
+    /// From now on next_id() uses numbers from @p first_free on; to be called
+    /// with the same number on all ranks, when particles with other ids were
+    /// inserted.
+    void
+    reserve_ids_below(const dealii::types::particle_index first_free);
+
+    /// Reserves the ids of all particles that exist. Collective; to be called
+    /// when particles were read from a file.
+    void
+    reserve_used_ids();
 
     /// The number of particles on all ranks. Collective.
     dealii::types::particle_index
     n_global_particles() const;
 
   private:
-    const Mesh<dim>              &mesh_;
-    Handler                       particle_handler;
+    const Mesh<dim> &mesh_;
+    Handler particle_handler;
+    dealii::types::particle_index first_id  = 0;
     dealii::types::particle_index n_created = 0;
   };
 } // namespace Thalweg

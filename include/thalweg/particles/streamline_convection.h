@@ -1,0 +1,134 @@
+#ifndef thalweg_particles_streamline_convection_h
+#define thalweg_particles_streamline_convection_h
+
+#include <thalweg/core/section.h>
+#include <thalweg/particles/population.h>
+#include <thalweg/particles/streamline_walk.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /// How particles follow the streamlines.
+  struct ConvectionParameters
+  {
+    /// Declares the parameters in @p section.
+    void
+    declare_parameters(const Section &section);
+
+    /// "rk2" or "rk4".
+    std::string integrator = "rk2";
+    /// The greatest way of a substep in parts of the cell.
+    double substep_courant_number = 0.5;
+  };
+
+  /// What became of the particles in one step, on this rank.
+  struct ConvectionReport
+  {
+    /// Particles that ended their step on this rank.
+    std::uint64_t n_moved = 0;
+    /// Removed because their velocity was not a number.
+    std::uint64_t n_lost = 0;
+    /// Left through an open boundary: with a negative and with another level
+    /// set value.
+    std::map<dealii::types::boundary_id, std::array<std::uint64_t, 2>> left;
+    std::uint64_t n_substeps      = 0;
+    std::uint64_t n_cells_crossed = 0;
+
+    /// All that left, through whichever boundary.
+    std::uint64_t
+    n_left() const;
+
+    /// The report for all ranks together. Collective.
+    ConvectionReport
+    sum(const MPI_Comm communicator) const;
+  };
+
+  /// Where a streamline began a time step ago, and what was there.
+  template <int dim>
+  struct Foot
+  {
+    /// In m; on the boundary, if the streamline came from there.
+    dealii::Point<dim> position;
+    /// In m/s.
+    std::array<double, dim> velocity;
+    double level_set;
+    /// The open boundary through which the streamline came in, otherwise
+    /// dealii::numbers::invalid_boundary_id.
+    dealii::types::boundary_id boundary;
+    /// Whether the foot was found; if not, position, velocity and level set
+    /// are those of the head.
+    bool found;
+  };
+
+  /**
+   * @brief Moves particles along the streamlines of a velocity field
+   * (Eq. 64), at any Courant number and across ranks.
+   */
+  template <int dim>
+  class StreamlineConvection
+  {
+  public:
+    /**
+     * @param mesh its cell graph must be up to date at each call
+     * @param parameters the integrator
+     * @param walls what particles do at which boundary; those that are not
+     *   listed are walls
+     * @throws dealii::ExcMessage for parameters that make no sense
+     */
+    StreamlineConvection(
+      const Mesh<dim> &mesh,
+      const ConvectionParameters &parameters,
+      const std::map<dealii::types::boundary_id, WallKind> &walls);
+
+    /**
+     * @brief Moves all particles by the time @p dt. Collective.
+     *
+     * Afterwards the particles are stored cell by cell in the order of the
+     * cell graph, and by id in each cell; iterators to particles are invalid.
+     * Velocity and level set of the particles stay as they are.
+     *
+     * @param population each particle's reference coordinates must be those
+     *   in its cell
+     * @param velocity at the nodes of all owned and ghost cells, in m/s
+     * @param dt in s, not negative
+     */
+    ConvectionReport
+    move(Population<dim> &population,
+         const CellVelocity<dim> &velocity,
+         const double dt) const;
+
+    /**
+     * @brief Follows the streamlines through given points backwards in time.
+     * Collective; ranks may ask for any number of points.
+     *
+     * @param cells numbers of owned cells in the cell graph, one a point
+     * @param reference_points coordinates in these cells
+     * @param velocity at the nodes of all owned and ghost cells, in m/s
+     * @param level_set at the nodes of all owned and ghost cells
+     * @param dt in s, not negative
+     * @return one foot a point, with velocity and level set interpolated there
+     */
+    std::vector<Foot<dim>>
+    trace_back(const std::vector<unsigned int> &cells,
+               const std::vector<dealii::Point<dim>> &reference_points,
+               const CellVelocity<dim> &velocity,
+               const CellField<dim, 1> &level_set,
+               const double dt) const;
+
+    const Mesh<dim> &
+    mesh() const
+    {
+      return mesh_;
+    }
+
+  private:
+    const Mesh<dim> &mesh_;
+    typename StreamlineWalk<dim>::Settings settings;
+  };
+} // namespace Thalweg
+
+#endif

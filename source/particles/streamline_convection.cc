@@ -1,0 +1,367 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/particles/journey.h>
+#include <thalweg/particles/streamline_convection.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// What a particle takes along.
+    template <int dim>
+    struct Particle
+    {
+      dealii::types::particle_index id;
+      std::array<double, Population<dim>::n_properties> properties;
+    };
+
+    /// Who wants to know.
+    struct Question
+    {
+      unsigned int rank;
+      unsigned int index;
+    };
+
+    /// An answer on its way to the rank that asked.
+    template <int dim>
+    struct Answer
+    {
+      unsigned int index;
+      dealii::types::boundary_id boundary;
+      std::array<double, dim> position;
+      std::array<double, dim> velocity;
+      double level_set;
+    };
+
+    template <int dim>
+    Walker<dim>
+    make_walker(const unsigned int cell,
+                const dealii::Point<dim> &reference,
+                const double time)
+    {
+      Walker<dim> walker;
+      for (unsigned int d = 0; d < dim; ++d)
+        walker.reference[d] = reference[d];
+      walker.piece_begin = walker.reference;
+      walker.time        = time;
+      walker.piece_time  = 0;
+      walker.cell        = cell;
+      walker.boundary    = dealii::numbers::invalid_boundary_id;
+      walker.fate        = Fate::under_way;
+      return walker;
+    }
+
+    template <int dim>
+    std::vector<Traveller<dim, Particle<dim>>>
+    read_particles(const Population<dim> &population, const double dt)
+    {
+      const auto &handler = population.handler();
+      const auto &graph   = population.mesh().graph();
+
+      std::vector<Traveller<dim, Particle<dim>>> travellers;
+      travellers.reserve(handler.n_locally_owned_particles());
+      unsigned int cell       = dealii::numbers::invalid_unsigned_int;
+      unsigned int last_index = dealii::numbers::invalid_unsigned_int;
+      for (const auto &particle : handler)
+      {
+        const unsigned int index
+          = particle.get_surrounding_cell()->active_cell_index();
+        if (index != last_index)
+        {
+          last_index = index;
+          cell       = graph.index_from_active_cell_index(index);
+        }
+        Traveller<dim, Particle<dim>> traveller;
+        traveller.walker
+          = make_walker<dim>(cell, particle.get_reference_location(), dt);
+        traveller.luggage.id  = particle.get_id();
+        const auto properties = particle.get_properties();
+        std::copy(properties.begin(),
+                  properties.end(),
+                  traveller.luggage.properties.begin());
+        travellers.push_back(traveller);
+      }
+      return travellers;
+    }
+
+    /// The numbers of the arrived travellers, by cell and id.
+    template <int dim>
+    std::vector<unsigned int>
+    arrived_by_cell(
+      const std::vector<Traveller<dim, Particle<dim>>> &travellers,
+      const unsigned int n_cells)
+    {
+      std::vector<unsigned int> begin(n_cells + 1, 0);
+      for (const auto &traveller : travellers)
+        if (traveller.walker.fate == Fate::arrived)
+          ++begin[traveller.walker.cell + 1];
+      for (unsigned int i = 0; i < n_cells; ++i)
+        begin[i + 1] += begin[i];
+
+      std::vector<unsigned int> order(begin[n_cells]);
+      std::vector<unsigned int> end(begin.begin(), begin.end() - 1);
+      for (unsigned int i = 0; i < travellers.size(); ++i)
+        if (travellers[i].walker.fate == Fate::arrived)
+          order[end[travellers[i].walker.cell]++] = i;
+
+      // One order whatever happened before: a resumed run, whose particles
+      // come from a file, continues bit by bit like the straight one.
+      const auto by_id = [&](const unsigned int a, const unsigned int b) {
+        return travellers[a].luggage.id < travellers[b].luggage.id;
+      };
+      for (unsigned int i = 0; i < n_cells; ++i)
+        std::sort(order.begin() + begin[i],
+                  order.begin() + begin[i + 1],
+                  by_id);
+      return order;
+    }
+
+    /// Storing all particles anew costs less than removing and inserting
+    /// those that changed their cell, and leaves them contiguous in memory.
+    template <int dim>
+    void
+    write_particles(
+      Population<dim> &population,
+      const StreamlineWalk<dim> &walk,
+      const std::vector<Traveller<dim, Particle<dim>>> &travellers)
+    {
+      const auto &graph = walk.graph();
+      const auto order
+        = arrived_by_cell<dim>(travellers, graph.n_owned_cells());
+
+      auto &handler = population.handler();
+      handler.clear_particles();
+      handler.reserve(order.size());
+      for (const unsigned int i : order)
+      {
+        const auto &[walker, particle] = travellers[i];
+        dealii::Point<dim> reference;
+        for (unsigned int d = 0; d < dim; ++d)
+          reference[d] = walker.reference[d];
+        handler.insert_particle(
+          walk.position(walker),
+          reference,
+          particle.id,
+          graph.iterator(walker.cell),
+          dealii::ArrayView<const double>(particle.properties.data(),
+                                          particle.properties.size()));
+      }
+      handler.update_cached_numbers();
+    }
+
+    template <int dim>
+    ConvectionReport
+    count(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
+          const WalkEffort &effort)
+    {
+      ConvectionReport report;
+      report.n_moved         = travellers.size();
+      report.n_substeps      = effort.n_substeps;
+      report.n_cells_crossed = effort.n_cells_crossed;
+      for (const auto &[walker, particle] : travellers)
+        if (walker.fate == Fate::left)
+        {
+          const double level_set
+            = particle.properties[Population<dim>::level_set_offset];
+          ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
+        }
+        else if (walker.fate == Fate::lost)
+          ++report.n_lost;
+      return report;
+    }
+
+    /// A field's values at reference coordinates of a cell.
+    template <int dim, int n_components, std::size_t n>
+    std::array<double, n_components>
+    interpolate(const std::array<double, n> &nodal,
+                const std::array<double, dim> &reference)
+    {
+      std::array<double, n_components> value{};
+      for (unsigned int v = 0; v < (1 << dim); ++v)
+      {
+        double shape = 1;
+        for (unsigned int d = 0; d < dim; ++d)
+          shape *= (v >> d) & 1 ? reference[d] : 1. - reference[d];
+        for (unsigned int c = 0; c < n_components; ++c)
+          value[c] += shape * nodal[v * n_components + c];
+      }
+      return value;
+    }
+
+    template <int dim>
+    Answer<dim>
+    answer(const StreamlineWalk<dim> &walk,
+           const Walker<dim> &walker,
+           const unsigned int index,
+           const CellVelocity<dim> &velocity,
+           const CellField<dim, 1> &level_set)
+    {
+      Answer<dim> answer;
+      answer.index    = index;
+      answer.boundary = walker.fate == Fate::left
+                          ? walker.boundary
+                          : dealii::numbers::invalid_boundary_id;
+
+      const dealii::Point<dim> position = walk.position(walker);
+      for (unsigned int d = 0; d < dim; ++d)
+        answer.position[d] = position[d];
+      answer.velocity
+        = interpolate<dim, dim>(velocity[walker.cell], walker.reference);
+      answer.level_set
+        = interpolate<dim, 1>(level_set[walker.cell], walker.reference)[0];
+      return answer;
+    }
+
+    template <int dim>
+    Foot<dim>
+    to_foot(const Answer<dim> &answer, const bool found)
+    {
+      Foot<dim> foot;
+      for (unsigned int d = 0; d < dim; ++d)
+        foot.position[d] = answer.position[d];
+      foot.velocity  = answer.velocity;
+      foot.level_set = answer.level_set;
+      foot.boundary  = answer.boundary;
+      foot.found     = found;
+      return foot;
+    }
+  } // namespace
+
+
+  void
+  ConvectionParameters::declare_parameters(const Section &section)
+  {
+    section.add("Integrator",
+                integrator,
+                "",
+                "How streamlines are integrated: `rk2` is the midpoint rule, "
+                "`rk4` the classical scheme of fourth order.",
+                dealii::Patterns::Selection("rk2|rk4"));
+    section.add("Substep Courant number",
+                substep_courant_number,
+                "",
+                "The greatest part of a cell that a particle may cross in "
+                "one substep of the integrator. Time steps may have any "
+                "Courant number; this only sets how finely the way of the "
+                "particles is resolved.",
+                dealii::Patterns::Double(1e-3, 1.));
+  }
+
+
+  std::uint64_t
+  ConvectionReport::n_left() const
+  {
+    std::uint64_t n = 0;
+    for (const auto &[boundary, counts] : left)
+      n += counts[0] + counts[1];
+    return n;
+  }
+
+
+  ConvectionReport
+  ConvectionReport::sum(const MPI_Comm communicator) const
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    ConvectionReport total;
+    total.n_moved         = MPI::sum(n_moved, communicator);
+    total.n_lost          = MPI::sum(n_lost, communicator);
+    total.n_substeps      = MPI::sum(n_substeps, communicator);
+    total.n_cells_crossed = MPI::sum(n_cells_crossed, communicator);
+    for (const auto &of_rank : MPI::all_gather(communicator, left))
+      for (const auto &[boundary, counts] : of_rank)
+        for (unsigned int i = 0; i < 2; ++i)
+          total.left[boundary][i] += counts[i];
+    return total;
+  }
+
+
+  template <int dim>
+  StreamlineConvection<dim>::StreamlineConvection(
+    const Mesh<dim> &mesh,
+    const ConvectionParameters &parameters,
+    const std::map<dealii::types::boundary_id, WallKind> &walls)
+    : mesh_(mesh)
+  {
+    AssertThrow(parameters.substep_courant_number > 0
+                  && parameters.substep_courant_number <= 1,
+                dealii::ExcMessage(
+                  "The 'Substep Courant number' of the particles must be "
+                  "greater than 0 and not above 1, for example 0.5."));
+    AssertThrow(parameters.integrator == "rk2"
+                  || parameters.integrator == "rk4",
+                dealii::ExcMessage("The particles' 'Integrator' must be 'rk2' "
+                                   "or 'rk4', not '"
+                                   + parameters.integrator + "'."));
+    settings.scheme  = parameters.integrator == "rk2" ? StreamlineScheme::rk2
+                                                      : StreamlineScheme::rk4;
+    settings.substep = parameters.substep_courant_number;
+    settings.walls   = walls;
+  }
+
+
+  template <int dim>
+  ConvectionReport
+  StreamlineConvection<dim>::move(Population<dim> &population,
+                                  const CellVelocity<dim> &velocity,
+                                  const double dt) const
+  {
+    Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
+    const StreamlineWalk<dim> walk(mesh_.graph(), velocity, settings, 1.);
+
+    auto travellers = read_particles<dim>(population, dt);
+    const WalkEffort effort
+      = travel(walk, mesh_.triangulation().get_communicator(), travellers);
+    write_particles<dim>(population, walk, travellers);
+    return count<dim>(travellers, effort);
+  }
+
+
+  template <int dim>
+  std::vector<Foot<dim>>
+  StreamlineConvection<dim>::trace_back(
+    const std::vector<unsigned int> &cells,
+    const std::vector<dealii::Point<dim>> &reference_points,
+    const CellVelocity<dim> &velocity,
+    const CellField<dim, 1> &level_set,
+    const double dt) const
+  {
+    AssertDimension(cells.size(), reference_points.size());
+    const MPI_Comm communicator = mesh_.triangulation().get_communicator();
+    const StreamlineWalk<dim> walk(mesh_.graph(), velocity, settings, -1.);
+
+    std::vector<Traveller<dim, Question>> travellers;
+    travellers.reserve(cells.size());
+    for (unsigned int i = 0; i < cells.size(); ++i)
+      travellers.push_back(
+        {make_walker<dim>(cells[i], reference_points[i], dt),
+         {dealii::Utilities::MPI::this_mpi_process(communicator), i}});
+    travel(walk, communicator, travellers);
+
+    std::map<unsigned int, std::vector<Answer<dim>>> answers;
+    for (const auto &[walker, question] : travellers)
+      if (walker.fate != Fate::lost)
+        answers[question.rank].push_back(
+          answer(walk, walker, question.index, velocity, level_set));
+
+    std::vector<Foot<dim>> feet;
+    feet.reserve(cells.size());
+    for (unsigned int i = 0; i < cells.size(); ++i)
+      feet.push_back(
+        to_foot(answer(walk,
+                       make_walker(cells[i], reference_points[i], dt),
+                       i,
+                       velocity,
+                       level_set),
+                false));
+    for (const auto &[rank, list] : send_plain(communicator, answers))
+      for (const Answer<dim> &a : list)
+        feet[a.index] = to_foot(a, true);
+    return feet;
+  }
+} // namespace Thalweg
+
+THALWEG_INSTANTIATE(Thalweg::StreamlineConvection)

@@ -1,0 +1,83 @@
+#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/postprocess/pvd_record.h>
+#include <thalweg/postprocess/schedule.h>
+
+#include <deal.II/numerics/data_out.h>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// The fields for ParaView.
+    template <int dim>
+    class FieldOutput : public Postprocessor<dim>
+    {
+    public:
+      void
+      declare_parameters(const Section &section) override
+      {
+        schedule.declare_parameters(section, "files");
+      }
+
+
+      void
+      initialize(Context &context, const SolutionView<dim> &) override
+      {
+        record.open(context, "fields");
+      }
+
+
+      void
+      execute(Context &context, const SolutionView<dim> &solution) override
+      {
+        if (!schedule.is_due(solution.time, solution.last_step))
+          return;
+        using namespace dealii::DataComponentInterpretation;
+        const Vector density = nodal_density(solution);
+        dealii::DataOut<dim> data;
+        data.add_data_vector(solution.space.velocity(),
+                             solution.velocity,
+                             std::vector<std::string>(dim, "velocity"),
+                             std::vector<DataComponentInterpretation>(
+                               dim, component_is_part_of_vector));
+        const auto &scalar = solution.space.scalar();
+        data.add_data_vector(scalar, solution.pressure, "pressure");
+        data.add_data_vector(scalar, density, "density");
+        if (solution.fluids.size() == 2)
+          data.add_data_vector(scalar, solution.level_set, "level_set");
+
+        const auto &mesh = solution.mesh.triangulation();
+        dealii::Vector<float> subdomain(mesh.n_active_cells());
+        subdomain = mesh.locally_owned_subdomain();
+        data.add_data_vector(subdomain, "subdomain");
+        data.build_patches(solution.mesh.mapping());
+        record.write(context, data, solution.time, solution.step);
+      }
+
+    private:
+      /// The density of the fluid at each node.
+      static Vector
+      nodal_density(const SolutionView<dim> &solution)
+      {
+        Vector density;
+        solution.space.initialize_scalar(density);
+        for (unsigned int c = 0; c < solution.mesh.graph().n_cells(); ++c)
+          for (const unsigned int node : solution.space.nodes(c))
+            density.local_element(node)
+              = solution.fluids.at(solution.level_set.local_element(node))
+                  .density;
+        return density;
+      }
+
+
+      Schedule schedule;
+      PvdRecord record;
+    };
+  } // namespace
+
+  THALWEG_REGISTER(Postprocessor,
+                   FieldOutput,
+                   "fields",
+                   "velocity, pressure, level set and density on the mesh, "
+                   "for ParaView; writes fields.pvd.")
+} // namespace Thalweg

@@ -70,7 +70,7 @@ namespace Thalweg
       }
 
 
-      Schedule schedule;
+      Schedule  schedule{0.05};
       PvdRecord record;
     };
   } // namespace

@@ -1,0 +1,131 @@
+/**
+ * @file
+ * Measures how many particle-substeps a second the streamline convection
+ * does on each process, everything included: reading the particles, walking,
+ * and storing them anew by cell.
+ *
+ * Usage: `contrib/benchmarks/convection [cells a direction in 2D] [in 3D]`
+ */
+#include <thalweg/particles/seeding.h>
+#include <thalweg/particles/streamline_convection.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_generator.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace
+{
+  /// A divergence-free cellular flow, tangential to the walls of the box.
+  template <int dim>
+  Thalweg::CellVelocity<dim>
+  cellular_flow(const Thalweg::Mesh<dim> &mesh)
+  {
+    constexpr double pi = dealii::numbers::PI;
+    Thalweg::CellVelocity<dim> velocity(mesh.graph().n_cells());
+    for (unsigned int i = 0; i < velocity.size(); ++i)
+      for (unsigned int v = 0; v < (1 << dim); ++v)
+      {
+        const auto &p = mesh.graph().cell(i).vertices[v];
+        double *u     = velocity[i].data() + dim * v;
+        for (unsigned int d = 0; d < dim; ++d)
+          u[d] = 0;
+        u[0] += std::sin(pi * p[0]) * std::cos(pi * p[1]);
+        u[1] -= std::cos(pi * p[0]) * std::sin(pi * p[1]);
+        if (dim == 3)
+        {
+          u[1] += std::sin(pi * p[1]) * std::cos(pi * p[dim - 1]);
+          u[dim - 1] -= std::cos(pi * p[1]) * std::sin(pi * p[dim - 1]);
+        }
+      }
+    return velocity;
+  }
+
+  template <int dim>
+  void
+  refine_locally(Thalweg::Mesh<dim> &mesh)
+  {
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned()
+          && std::abs(cell->center().norm() - 0.7) < 0.15)
+        cell->set_refine_flag();
+    mesh.triangulation().execute_coarsening_and_refinement();
+    mesh.update();
+  }
+
+  template <int dim>
+  void
+  run(const unsigned int n_cells,
+      const bool is_adapted,
+      const std::string &integrator,
+      const double courant)
+  {
+    Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
+    dealii::GridGenerator::subdivided_hyper_cube(mesh.triangulation(), n_cells);
+    mesh.update();
+    if (is_adapted)
+      refine_locally(mesh);
+
+    Thalweg::Population<dim> population(mesh);
+    Thalweg::seed(population,
+                  Thalweg::SeedingParameters(),
+                  dealii::Functions::ZeroFunction<dim>(dim),
+                  dealii::Functions::ConstantFunction<dim>(1.));
+    Thalweg::ConvectionParameters parameters;
+    parameters.integrator = integrator;
+    const Thalweg::StreamlineConvection<dim> convection(mesh, parameters, {});
+    const auto velocity = cellular_flow<dim>(mesh);
+
+    const unsigned int n_steps = courant < 5 ? 10 : 4;
+    const double dt            = courant / n_cells;
+    std::uint64_t n_substeps = 0, n_crossed = 0, n_moved = 0;
+    const auto begin = std::chrono::steady_clock::now();
+    for (unsigned int step = 0; step < n_steps; ++step)
+    {
+      const auto report
+        = convection.move(population, velocity, dt).sum(MPI_COMM_WORLD);
+      n_substeps += report.n_substeps;
+      n_crossed += report.n_cells_crossed;
+      n_moved += report.n_moved;
+    }
+    const double seconds
+      = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+          .count()
+        * dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::printf("%dD  %-8s %-4s %8.1f %10.0f %9.2f %9.2f %14.2f %14.1f\n",
+                  dim,
+                  is_adapted ? "adapted" : "uniform",
+                  integrator.c_str(),
+                  courant,
+                  static_cast<double>(n_moved) / n_steps,
+                  static_cast<double>(n_substeps) / n_moved,
+                  static_cast<double>(n_crossed) / n_moved,
+                  1e-6 * n_substeps / seconds,
+                  1e9 * seconds / n_moved);
+  }
+} // namespace
+
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
+  const unsigned int n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::printf("    mesh     rk    Courant  particles  substeps   crossed  "
+                "1e6 substeps/s  ns a particle\n");
+  for (const double courant : {0.5, 2., 10.})
+    for (const std::string integrator : {"rk2", "rk4"})
+      for (const bool is_adapted : {false, true})
+        run<2>(n_2d, is_adapted, integrator, courant);
+  for (const double courant : {0.5, 2., 10.})
+    for (const std::string integrator : {"rk2", "rk4"})
+      for (const bool is_adapted : {false, true})
+        run<3>(n_3d, is_adapted, integrator, courant);
+}

@@ -1,0 +1,269 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/particles/population_control.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace Thalweg
+{
+  namespace
+  {
+    template <int dim>
+    unsigned int
+    sub_cell(const dealii::Point<dim> &reference)
+    {
+      unsigned int index = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        index += (reference[d] >= 0.5 ? 1u : 0u) << d;
+      return index;
+    }
+
+    template <int dim>
+    dealii::Point<dim>
+    sub_cell_center(const unsigned int index)
+    {
+      dealii::Point<dim> center;
+      for (unsigned int d = 0; d < dim; ++d)
+        center[d] = (index >> d) & 1 ? 0.75 : 0.25;
+      return center;
+    }
+
+    /// The centres of empty sub-cells, and their cells in the graph.
+    template <int dim>
+    struct Holes
+    {
+      std::vector<unsigned int> cells;
+      std::vector<dealii::Point<dim>> reference_points;
+    };
+
+    template <int dim>
+    Holes<dim>
+    find_holes(const Population<dim> &population, const unsigned int minimum)
+    {
+      const auto &graph = population.mesh().graph();
+      Holes<dim> holes;
+      for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
+      {
+        unsigned int n = 0;
+        std::array<bool, 1u << dim> occupied{};
+        for (const auto &particle :
+             population.handler().particles_in_cell(graph.iterator(i)))
+        {
+          occupied[sub_cell(particle.get_reference_location())] = true;
+          ++n;
+        }
+        if (n < minimum)
+          for (unsigned int s = 0; s < occupied.size(); ++s)
+            if (!occupied[s])
+            {
+              holes.cells.push_back(i);
+              holes.reference_points.push_back(sub_cell_center<dim>(s));
+            }
+      }
+      return holes;
+    }
+
+    /// The particles of one fluid in one cell.
+    template <int dim>
+    struct Group
+    {
+      std::vector<typename Population<dim>::Iterator> particles;
+      std::vector<dealii::Point<dim>> points;
+      std::vector<bool> is_removed;
+
+      void
+      clear()
+      {
+        particles.clear();
+        points.clear();
+        is_removed.clear();
+      }
+
+      void
+      add(const typename Population<dim>::Iterator &particle)
+      {
+        particles.push_back(particle);
+        points.push_back(particle->get_reference_location());
+        is_removed.push_back(false);
+      }
+
+      /// Of the two that are nearest to each other marks the one with the
+      /// higher id, the newer one.
+      void
+      remove_one()
+      {
+        double nearest       = std::numeric_limits<double>::max();
+        unsigned int removed = 0;
+        for (unsigned int i = 0; i < points.size(); ++i)
+          for (unsigned int j = 0; j < i; ++j)
+            if (!is_removed[i] && !is_removed[j])
+            {
+              const double distance = points[i].distance_square(points[j]);
+              if (distance < nearest)
+              {
+                nearest = distance;
+                removed
+                  = particles[i]->get_id() > particles[j]->get_id() ? i : j;
+              }
+            }
+        is_removed[removed] = true;
+      }
+    };
+
+    /// How many of @p n_negative particles to keep if @p maximum of
+    /// @p n particles may stay: their share, but neither none of them nor
+    /// none of the others.
+    unsigned int
+    share(const unsigned int n_negative,
+          const unsigned int n,
+          const unsigned int maximum)
+    {
+      if (n_negative == 0 || n_negative == n)
+        return n_negative == 0 ? 0 : maximum;
+      const double exact = static_cast<double>(maximum) * n_negative / n;
+      return std::clamp<unsigned int>(std::lround(exact), 1, maximum - 1);
+    }
+  } // namespace
+
+
+  template <int dim>
+  void
+  PopulationParameters<dim>::declare_parameters(const Section &section)
+  {
+    section.add("Minimum per cell",
+                minimum_per_cell,
+                "",
+                "In a cell with fewer particles, each quarter (in 3D: eighth) "
+                "of the cell without a particle gets one. 0 switches this "
+                "off.",
+                dealii::Patterns::Integer(0));
+    section.add("Maximum per cell",
+                maximum_per_cell,
+                "",
+                "In a cell with more particles, those that are nearest to "
+                "another one are removed.",
+                dealii::Patterns::Integer(1));
+  }
+
+
+  template <int dim>
+  PopulationControl<dim>::PopulationControl(
+    const PopulationParameters<dim> &parameters,
+    const StreamlineConvection<dim> &convection,
+    const std::map<dealii::types::boundary_id, double> &inflow_level_set)
+    : parameters(parameters)
+    , convection(convection)
+    , inflow_level_set(inflow_level_set)
+  {
+    AssertThrow(parameters.maximum_per_cell > parameters.minimum_per_cell
+                  && parameters.maximum_per_cell >= n_sub_cells,
+                dealii::ExcMessage(
+                  "The particles' 'Maximum per cell' is "
+                  + std::to_string(parameters.maximum_per_cell)
+                  + ", but it must be above the 'Minimum per cell', which is "
+                  + std::to_string(parameters.minimum_per_cell)
+                  + ", and at least " + std::to_string(n_sub_cells) + "."));
+  }
+
+
+  template <int dim>
+  double
+  PopulationControl<dim>::level_set_value(const Foot<dim> &foot) const
+  {
+    const auto inflow = inflow_level_set.find(foot.boundary);
+    const double value
+      = inflow == inflow_level_set.end() ? foot.level_set : inflow->second;
+    if (!parameters.level_set_is_sign)
+      return value;
+    return value < 0 ? -1. : 1.;
+  }
+
+
+  template <int dim>
+  unsigned int
+  PopulationControl<dim>::fill_empty_cells(Population<dim> &population,
+                                           const CellVelocity<dim> &velocity,
+                                           const CellField<dim, 1> &level_set,
+                                           const double dt) const
+  {
+    const Holes<dim> holes
+      = find_holes(population, parameters.minimum_per_cell);
+    const auto feet = convection.trace_back(
+      holes.cells, holes.reference_points, velocity, level_set, dt);
+
+    const auto &mesh = population.mesh();
+    auto &handler    = population.handler();
+    std::array<double, Population<dim>::n_properties> properties;
+    for (unsigned int i = 0; i < feet.size(); ++i)
+    {
+      const auto &cell      = mesh.graph().iterator(holes.cells[i]);
+      const auto &reference = holes.reference_points[i];
+      std::copy(feet[i].velocity.begin(),
+                feet[i].velocity.end(),
+                properties.begin() + Population<dim>::velocity_offset);
+      properties[Population<dim>::level_set_offset] = level_set_value(feet[i]);
+      handler.insert_particle(
+        mesh.mapping().transform_unit_to_real_cell(cell, reference),
+        reference,
+        population.next_id(),
+        cell,
+        dealii::ArrayView<const double>(properties.data(), properties.size()));
+    }
+    handler.update_cached_numbers();
+    return feet.size();
+  }
+
+
+  template <int dim>
+  unsigned int
+  PopulationControl<dim>::limit(Population<dim> &population) const
+  {
+    const auto &graph          = population.mesh().graph();
+    const unsigned int maximum = parameters.maximum_per_cell;
+    auto &handler              = population.handler();
+
+    std::vector<typename Population<dim>::Iterator> to_remove;
+    std::array<Group<dim>, 2> groups;
+    for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
+    {
+      const auto &cell = graph.iterator(i);
+      if (handler.n_particles_in_cell(cell) <= maximum)
+        continue;
+      for (auto &group : groups)
+        group.clear();
+      const auto particles = handler.particles_in_cell(cell);
+      for (auto particle = particles.begin(); particle != particles.end();
+           ++particle)
+        groups[particle->get_properties()[Population<dim>::level_set_offset] < 0
+                 ? 0
+                 : 1]
+          .add(particle);
+
+      const unsigned int n
+        = groups[0].particles.size() + groups[1].particles.size();
+      const unsigned int n_negative
+        = share(groups[0].particles.size(), n, maximum);
+      const unsigned int n_kept[] = {n_negative, maximum - n_negative};
+      for (unsigned int g = 0; g < 2; ++g)
+      {
+        for (unsigned int k = groups[g].particles.size(); k > n_kept[g]; --k)
+          groups[g].remove_one();
+        for (unsigned int p = 0; p < groups[g].particles.size(); ++p)
+          if (groups[g].is_removed[p])
+            to_remove.push_back(groups[g].particles[p]);
+      }
+    }
+    handler.remove_particles(to_remove);
+    return to_remove.size();
+  }
+
+
+  template struct PopulationParameters<2>;
+  template struct PopulationParameters<3>;
+  THALWEG_INSTANTIATE(PopulationControl)
+} // namespace Thalweg

@@ -13,23 +13,25 @@ main(int argc, char **argv)
   ::testing::InitGoogleTest(&argc, argv);
 
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)
-  {
-    class Failures : public ::testing::EmptyTestEventListener
     {
-      void
-      OnTestPartResult(const ::testing::TestPartResult &result) override
+      class Failures : public ::testing::EmptyTestEventListener
       {
-        if (result.failed())
-          std::cerr << "Process "
-                    << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
-                    << ": " << result.file_name() << ':' << result.line_number()
-                    << ": " << result.summary() << std::endl;
-      }
-    };
-    auto &listeners = ::testing::UnitTest::GetInstance()->listeners();
-    delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new Failures);
-  }
+        void
+        OnTestPartResult(const ::testing::TestPartResult &result) override
+        {
+          if (result.failed())
+            std::cerr << "Process "
+                      << dealii::Utilities::MPI::this_mpi_process(
+                           MPI_COMM_WORLD)
+                      << ": " << result.file_name() << ':'
+                      << result.line_number() << ": " << result.summary()
+                      << std::endl;
+        }
+      };
+      auto &listeners = ::testing::UnitTest::GetInstance()->listeners();
+      delete listeners.Release(listeners.default_result_printer());
+      listeners.Append(new Failures);
+    }
 
   // One process that fails makes all of them return a failure.
   return dealii::Utilities::MPI::max(RUN_ALL_TESTS(), MPI_COMM_WORLD);

@@ -4,40 +4,33 @@ namespace Thalweg
 {
   Section::Section(dealii::ParameterHandler &prm)
     : prm(&prm)
-    , entered(false)
   {}
-
-
-
-  Section::Section(dealii::ParameterHandler &prm, const std::string &name)
-    : prm(&prm)
-    , entered(true)
-  {
-    prm.enter_subsection(name);
-  }
-
-
-
-  Section::Section(Section &&other) noexcept
-    : prm(other.prm)
-    , entered(other.entered)
-  {
-    other.entered = false;
-  }
-
-
-
-  Section::~Section()
-  {
-    if (entered)
-      prm->leave_subsection();
-  }
-
 
 
   Section
   Section::enter(const std::string &name) const
   {
-    return Section(*prm, name);
+    Section subsection(*prm);
+    subsection.path = path;
+    subsection.path.push_back(name);
+    subsection.enter_path();
+    subsection.leave_path();
+    return subsection;
+  }
+
+
+  void
+  Section::enter_path() const
+  {
+    for (const std::string &name : path)
+      prm->enter_subsection(name);
+  }
+
+
+  void
+  Section::leave_path() const
+  {
+    for (std::size_t i = 0; i < path.size(); ++i)
+      prm->leave_subsection();
   }
 } // namespace Thalweg

@@ -62,7 +62,7 @@ TEST(Registry, ListsNamesAndTextsInBothDimensions)
 TEST(Registry, ChoiceMakesTheNamedModelWithItsParameters)
 {
   dealii::ParameterHandler prm;
-  Choice<Shape<3>> shape;
+  Choice<Shape<3>>         shape;
   {
     const Section root(prm);
     shape.declare_parameters(root.enter("Shape"), "point", "shape");
@@ -83,7 +83,7 @@ TEST(Registry, ChoiceMakesTheNamedModelWithItsParameters)
 TEST(Registry, ChoicesKeepTheOrderOfTheInput)
 {
   dealii::ParameterHandler prm;
-  Choices<Shape<2>> shapes;
+  Choices<Shape<2>>        shapes;
   {
     const Section root(prm);
     shapes.declare_parameters(root.enter("Shapes"), "shapes");

@@ -9,8 +9,8 @@ namespace
 {
   struct Fluid
   {
-    double density     = 1000.;
-    unsigned int count = 2;
+    double       density = 1000.;
+    unsigned int count   = 2;
 
     void
     declare(const Section &root)
@@ -27,7 +27,7 @@ namespace
 TEST(Section, NestsAndWritesIntoTheVariables)
 {
   dealii::ParameterHandler prm;
-  Fluid fluid;
+  Fluid                    fluid;
   fluid.declare(Section(prm));
   // All sections were left again, so this path starts at the root.
   prm.parse_input_from_string(
@@ -40,7 +40,7 @@ TEST(Section, NestsAndWritesIntoTheVariables)
 TEST(Section, DefaultComesFromTheVariableAndTheUnitEndsTheText)
 {
   dealii::ParameterHandler prm;
-  Fluid fluid;
+  Fluid                    fluid;
   fluid.declare(Section(prm));
   std::ostringstream text;
   prm.print_parameters(text, dealii::ParameterHandler::Text);
@@ -50,21 +50,30 @@ TEST(Section, DefaultComesFromTheVariableAndTheUnitEndsTheText)
 }
 
 
-TEST(Section, LeavesOnlyOnceWhenMoved)
+TEST(Section, SeveralMayBeInUseAtTheSameTime)
 {
   dealii::ParameterHandler prm;
-  double value = 1.;
-  {
-    const Section root(prm);
-    const Section outer = root.enter("A");
-    {
-      Section first        = outer.enter("B");
-      const Section second = std::move(first);
-      second.add("Inner", value, "", "");
-    }
-    outer.add("Outer", value, "", "");
-  }
-  EXPECT_TRUE(prm.subsection_path_exists({"A", "B"}));
-  prm.parse_input_from_string("subsection A\nset Outer = 2\nend\n");
-  EXPECT_EQ(value, 2.);
+  double                   a = 1., b = 2., c = 3.;
+  const Section            root(prm);
+  const Section            first  = root.enter("First");
+  const Section            second = root.enter("Second");
+  const Section            inner  = first.enter("Inner");
+  second.add("B", b, "", "");
+  first.add("A", a, "", "");
+  inner.add("C", c, "", "");
+  EXPECT_TRUE(prm.subsection_path_exists({"Second"}));
+  prm.parse_input_from_string(
+    "subsection First\n set A = 5\n subsection Inner\n set C = 6\n end\nend\n"
+    "subsection Second\n set B = 7\nend\n");
+  EXPECT_EQ(a, 5.);
+  EXPECT_EQ(b, 7.);
+  EXPECT_EQ(c, 6.);
+}
+
+
+TEST(Section, ExistsEvenIfNothingIsDeclaredInIt)
+{
+  dealii::ParameterHandler prm;
+  Section(prm).enter("Model").enter("without parameters");
+  EXPECT_TRUE(prm.subsection_path_exists({"Model", "without parameters"}));
 }

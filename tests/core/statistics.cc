@@ -15,7 +15,7 @@ namespace
   content(const std::string &path)
   {
     const std::ifstream file(path);
-    std::ostringstream text;
+    std::ostringstream  text;
     text << file.rdbuf();
     return text.str();
   }
@@ -41,7 +41,7 @@ TEST(Statistics, AddsWithinARowAndRemembersTheLast)
 TEST(Statistics, WritesHeaderAndRows)
 {
   const std::string path = ::testing::TempDir() + "thalweg_statistics.csv";
-  Statistics statistics;
+  Statistics        statistics;
   statistics.open(path);
   statistics.set("step", 1.);
   statistics.set("time [s]", 0.125);

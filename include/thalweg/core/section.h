@@ -6,6 +6,8 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace Thalweg
 {
@@ -15,7 +17,7 @@ namespace Thalweg
    * A parameter is one line: its name, the variable that holds its default
    * and receives its value, its unit, and a text. Subsections nest by
    * enter(), and the order of declaration is the order in the generated
-   * reference.
+   * reference. Several sections may be in use at the same time.
    */
   class Section
   {
@@ -23,16 +25,8 @@ namespace Thalweg
     /// The root of @p prm, which must outlive this object.
     explicit Section(dealii::ParameterHandler &prm);
 
-    /// Leaves the subsection it entered.
-    ~Section();
-
-    Section(const Section &) = delete;
-    Section &
-    operator=(const Section &) = delete;
-    Section(Section &&other) noexcept;
-
-    /// The subsection @p name, open for declarations as long as the returned
-    /// object lives.
+    /// The subsection @p name. It exists from now on, even if nothing is
+    /// declared in it.
     Section
     enter(const std::string &name) const;
 
@@ -48,24 +42,45 @@ namespace Thalweg
      */
     template <typename T>
     void
-    add(const std::string                       &name,
-        T                                       &variable,
-        const std::string                       &unit,
-        const std::string                       &text,
-        const dealii::Patterns::PatternBase     &pattern =
-          *dealii::Patterns::Tools::Convert<T>::to_pattern()) const
+    add(const std::string                   &name,
+        T                                   &variable,
+        const std::string                   &unit,
+        const std::string                   &text,
+        const dealii::Patterns::PatternBase &pattern =
+          *natural_pattern<T>()) const
     {
+      enter_path();
       prm->add_parameter(name,
                          variable,
                          unit.empty() ? text : text + " [" + unit + "]",
                          pattern);
+      leave_path();
     }
 
   private:
-    Section(dealii::ParameterHandler &prm, const std::string &name);
+    /// All that a variable of type @p T can hold. deal.II's own pattern for
+    /// unsigned numbers lets negative ones pass.
+    template <typename T>
+    static std::unique_ptr<dealii::Patterns::PatternBase>
+    natural_pattern()
+    {
+      if constexpr (std::is_same_v<T, unsigned int>)
+        return std::make_unique<dealii::Patterns::Integer>(0);
+      else if constexpr (std::is_same_v<T, std::vector<unsigned int>>)
+        return std::make_unique<dealii::Patterns::List>(
+          dealii::Patterns::Integer(0));
+      else
+        return dealii::Patterns::Tools::Convert<T>::to_pattern();
+    }
+
+    void
+    enter_path() const;
+
+    void
+    leave_path() const;
 
     dealii::ParameterHandler *prm;
-    bool                      entered;
+    std::vector<std::string>  path; ///< from the root to this section
   };
 } // namespace Thalweg
 

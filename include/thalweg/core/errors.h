@@ -1,0 +1,41 @@
+#ifndef thalweg_core_errors_h
+#define thalweg_core_errors_h
+
+#include <deal.II/base/mpi.h>
+
+#include <exception>
+#include <functional>
+#include <string>
+
+namespace Thalweg
+{
+  /// The text of @p exception as a user should see it: for deal.II's
+  /// exceptions the message alone.
+  std::string
+  message_of(const std::exception &exception);
+
+  /**
+   * @brief Runs @p program and ends all processes if it fails anywhere.
+   *
+   * An exception becomes one message on the error stream. If all processes
+   * fail together, as they do over bad input, the root process speaks and
+   * the function returns; if only some fail, the first of them speaks and
+   * aborts the others, which may be waiting for it.
+   *
+   * @param communicator all processes of the run
+   * @param program returns the exit code
+   * @return what @p program returned, or 1 after a failure
+   */
+  int
+  run_guarded(const MPI_Comm communicator, const std::function<int()> &program);
+
+  /**
+   * @brief Does @p work on the root process alone, and lets all processes
+   * fail if it fails.
+   * @throws dealii::ExcMessage on every process, with the root's message
+   */
+  void
+  on_root(const MPI_Comm communicator, const std::function<void()> &work);
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,42 @@
+#ifndef thalweg_simulation_run_directory_h
+#define thalweg_simulation_run_directory_h
+
+#include <thalweg/core/context.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief Creates the directory of a run and writes into it what was asked
+   * for: `original.prm`, the input file as it was given, and
+   * `parameters.prm`, all parameters with the values that are used.
+   *
+   * From then on the log goes to `log.txt` there, and
+   * Context::output_directory names the place.
+   *
+   * @param context of the run
+   * @param directory where results go; created with its parents
+   * @param input_file a copy of it is made; empty: none
+   * @param prm after reading
+   * @throws dealii::ExcMessage on every process if something cannot be
+   *   written
+   */
+  void
+  prepare_run_directory(Context                        &context,
+                        const std::string              &directory,
+                        const std::string              &input_file,
+                        const dealii::ParameterHandler &prm);
+
+  /**
+   * @brief Writes @p content to @p path so that the file is there completely
+   * or not at all, whatever happens meanwhile.
+   * @throws dealii::ExcMessage if it cannot be written
+   */
+  void
+  write_file(const std::string &path, const std::string &content);
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,128 @@
+#include <thalweg/core/errors.h>
+#include <thalweg/core/spelling.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <chrono>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <thread>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// Waits for all processes to come here too.
+    /// @return whether they did
+    bool
+    all_fail_too(const MPI_Comm communicator)
+    {
+      using namespace std::chrono;
+      // Processes that fail alone at the same time take turns, so that one
+      // message is read and not several at once.
+      const auto patience =
+        milliseconds(1000) +
+        milliseconds(200) *
+          std::min(dealii::Utilities::MPI::this_mpi_process(communicator), 20u);
+      const auto  start = steady_clock::now();
+      MPI_Request request;
+      MPI_Ibarrier(communicator, &request);
+      int all_here = 0;
+      while (all_here == 0 && steady_clock::now() - start < patience)
+        {
+          MPI_Test(&request, &all_here, MPI_STATUS_IGNORE);
+          std::this_thread::sleep_for(milliseconds(1));
+        }
+      return all_here != 0;
+    }
+
+
+    /// Reports @p message and takes the other processes down.
+    void
+    fail(const MPI_Comm communicator, const std::string &message)
+    {
+      const unsigned int n_processes =
+        dealii::Utilities::MPI::n_mpi_processes(communicator);
+      const bool together = n_processes == 1 || all_fail_too(communicator);
+      const unsigned int rank =
+        dealii::Utilities::MPI::this_mpi_process(communicator);
+      if (!together || rank == 0)
+        std::cerr << "Error"
+                  << (together ? "" : " on process " + std::to_string(rank))
+                  << ": " << message << std::endl;
+      if (!together)
+        MPI_Abort(communicator, 1);
+    }
+  } // namespace
+
+
+  std::string
+  message_of(const std::exception &exception)
+  {
+    if (const auto *own =
+          dynamic_cast<const dealii::ExceptionBase *>(&exception))
+      {
+        std::ostringstream text;
+        own->print_info(text);
+        const std::string message = trimmed(text.str());
+        if (dynamic_cast<const dealii::StandardExceptions::ExcMessage *>(own))
+          return message;
+        const std::string name = own->get_exc_name();
+        return message.empty() ? name : message + "\n(" + name + ")";
+      }
+    if (dynamic_cast<const std::bad_alloc *>(&exception) != nullptr)
+      return "The memory of this machine does not suffice. Use fewer cells or "
+             "particles, or more machines.";
+    return exception.what();
+  }
+
+
+  int
+  run_guarded(const MPI_Comm communicator, const std::function<int()> &program)
+  {
+    // A communicator of its own: messages that were under way when the
+    // failure came cannot be mistaken for those that settle it.
+    MPI_Comm own;
+    MPI_Comm_dup(communicator, &own);
+    int code = 1;
+    try
+      {
+        code = program();
+      }
+    catch (const std::exception &exception)
+      {
+        fail(own, message_of(exception));
+      }
+    catch (const int error)
+      {
+        fail(own, "Trilinos failed with error " + std::to_string(error) + ".");
+      }
+    catch (...)
+      {
+        fail(own, "Something failed without saying what.");
+      }
+    MPI_Comm_free(&own);
+    return code;
+  }
+
+
+  void
+  on_root(const MPI_Comm communicator, const std::function<void()> &work)
+  {
+    std::string failure;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          work();
+        }
+      catch (const std::exception &exception)
+        {
+          failure = message_of(exception);
+          if (failure.empty())
+            failure = "unknown";
+        }
+    failure = dealii::Utilities::MPI::broadcast(communicator, failure, 0);
+    AssertThrow(failure.empty(), dealii::ExcMessage(failure));
+  }
+} // namespace Thalweg

@@ -70,7 +70,7 @@ namespace Thalweg
       }
 
 
-      Schedule  schedule{0.05};
+      Schedule schedule{0.05};
       PvdRecord record;
     };
   } // namespace

@@ -47,7 +47,7 @@ namespace Thalweg
       }
 
     private:
-      Schedule  schedule{0.05};
+      Schedule schedule{0.05};
       PvdRecord record;
     };
   } // namespace

@@ -55,9 +55,14 @@ namespace Thalweg
       return walker;
     }
 
+    /// Takes all particles out of the population and lets each walk on this
+    /// rank. One pass: these loops wait for the memory.
     template <int dim>
     std::vector<Traveller<dim, Particle<dim>>>
-    read_particles(const Population<dim> &population, const double dt)
+    start_particles(const Population<dim> &population,
+                    const StreamlineWalk<dim> &walk,
+                    const double dt,
+                    WalkEffort &effort)
     {
       const auto &handler = population.handler();
       const auto &graph   = population.mesh().graph();
@@ -83,85 +88,98 @@ namespace Thalweg
         std::copy(properties.begin(),
                   properties.end(),
                   traveller.luggage.properties.begin());
+        walk.walk(traveller.walker, effort);
         travellers.push_back(traveller);
       }
       return travellers;
     }
 
-    /// The numbers of the arrived travellers, by cell and id.
-    template <int dim>
-    std::vector<unsigned int>
-    arrived_by_cell(
-      const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-      const unsigned int n_cells)
+    /// The numbers of the travellers that have arrived, cell by cell.
+    struct Arrivals
     {
-      std::vector<unsigned int> begin(n_cells + 1, 0);
-      for (const auto &traveller : travellers)
-        if (traveller.walker.fate == Fate::arrived)
-          ++begin[traveller.walker.cell + 1];
-      for (unsigned int i = 0; i < n_cells; ++i)
-        begin[i + 1] += begin[i];
+      /// Of each cell and behind the last one.
+      std::vector<unsigned int> begin;
+      std::vector<unsigned int> travellers;
+    };
 
-      std::vector<unsigned int> order(begin[n_cells]);
-      std::vector<unsigned int> end(begin.begin(), begin.end() - 1);
+    template <int dim>
+    Arrivals
+    arrivals(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
+             const unsigned int n_cells)
+    {
+      constexpr unsigned int nowhere = dealii::numbers::invalid_unsigned_int;
+      Arrivals arrivals;
+      arrivals.begin.resize(n_cells + 1, 0);
+      std::vector<unsigned int> cells(travellers.size(), nowhere);
       for (unsigned int i = 0; i < travellers.size(); ++i)
         if (travellers[i].walker.fate == Fate::arrived)
-          order[end[travellers[i].walker.cell]++] = i;
+        {
+          cells[i] = travellers[i].walker.cell;
+          ++arrivals.begin[cells[i] + 1];
+        }
+      for (unsigned int c = 0; c < n_cells; ++c)
+        arrivals.begin[c + 1] += arrivals.begin[c];
 
-      // One order whatever happened before: a resumed run, whose particles
-      // come from a file, continues bit by bit like the straight one.
-      const auto by_id = [&](const unsigned int a, const unsigned int b) {
-        return travellers[a].luggage.id < travellers[b].luggage.id;
-      };
-      for (unsigned int i = 0; i < n_cells; ++i)
-        std::sort(order.begin() + begin[i],
-                  order.begin() + begin[i + 1],
-                  by_id);
-      return order;
+      arrivals.travellers.resize(arrivals.begin[n_cells]);
+      std::vector<unsigned int> end(arrivals.begin.begin(),
+                                    arrivals.begin.end() - 1);
+      for (unsigned int i = 0; i < cells.size(); ++i)
+        if (cells[i] != nowhere)
+          arrivals.travellers[end[cells[i]]++] = i;
+      return arrivals;
     }
 
     /// Storing all particles anew costs less than removing and inserting
     /// those that changed their cell, and leaves them contiguous in memory.
+    /// @return how many were stored
     template <int dim>
-    void
-    write_particles(
+    std::size_t
+    store_particles(
       Population<dim> &population,
       const StreamlineWalk<dim> &walk,
       const std::vector<Traveller<dim, Particle<dim>>> &travellers)
     {
       const auto &graph = walk.graph();
-      const auto order
-        = arrived_by_cell<dim>(travellers, graph.n_owned_cells());
+      auto arrived      = arrivals<dim>(travellers, graph.n_owned_cells());
+      // One order whatever happened before: a resumed run, whose particles
+      // come from a file, continues bit by bit like the straight one.
+      const auto by_id = [&](const unsigned int a, const unsigned int b) {
+        return travellers[a].luggage.id < travellers[b].luggage.id;
+      };
 
       auto &handler = population.handler();
       handler.clear_particles();
-      handler.reserve(order.size());
-      for (const unsigned int i : order)
+      handler.reserve(arrived.travellers.size());
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto &[walker, particle] = travellers[i];
-        dealii::Point<dim> reference;
-        for (unsigned int d = 0; d < dim; ++d)
-          reference[d] = walker.reference[d];
-        handler.insert_particle(
-          walk.position(walker),
-          reference,
-          particle.id,
-          graph.iterator(walker.cell),
-          dealii::ArrayView<const double>(particle.properties.data(),
-                                          particle.properties.size()));
+        const auto begin = arrived.travellers.begin() + arrived.begin[c];
+        const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
+        std::sort(begin, end, by_id);
+        for (auto i = begin; i != end; ++i)
+        {
+          const auto &[walker, particle] = travellers[*i];
+          dealii::Point<dim> reference;
+          for (unsigned int d = 0; d < dim; ++d)
+            reference[d] = walker.reference[d];
+          handler.insert_particle(
+            walk.position(walker),
+            reference,
+            particle.id,
+            graph.iterator(c),
+            dealii::ArrayView<const double>(particle.properties.data(),
+                                            particle.properties.size()));
+        }
       }
       handler.update_cached_numbers();
+      return arrived.travellers.size();
     }
 
+    /// Counts those that did not arrive.
     template <int dim>
-    ConvectionReport
-    count(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-          const WalkEffort &effort)
+    void
+    count_missing(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
+                  ConvectionReport &report)
     {
-      ConvectionReport report;
-      report.n_moved         = travellers.size();
-      report.n_substeps      = effort.n_substeps;
-      report.n_cells_crossed = effort.n_cells_crossed;
       for (const auto &[walker, particle] : travellers)
         if (walker.fate == Fate::left)
         {
@@ -171,7 +189,6 @@ namespace Thalweg
         }
         else if (walker.fate == Fate::lost)
           ++report.n_lost;
-      return report;
     }
 
     /// A field's values at reference coordinates of a cell.
@@ -312,11 +329,22 @@ namespace Thalweg
     Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
     const StreamlineWalk<dim> walk(mesh_.graph(), velocity, settings, 1.);
 
-    auto travellers = read_particles<dim>(population, dt);
-    const WalkEffort effort
-      = travel(walk, mesh_.triangulation().get_communicator(), travellers);
-    write_particles<dim>(population, walk, travellers);
-    return count<dim>(travellers, effort);
+    WalkEffort effort;
+    auto travellers = start_particles(population, walk, dt, effort);
+    walk_on_other_ranks(walk,
+                        mesh_.triangulation().get_communicator(),
+                        travellers,
+                        effort);
+    const std::size_t n_stored
+      = store_particles<dim>(population, walk, travellers);
+
+    ConvectionReport report;
+    report.n_moved         = travellers.size();
+    report.n_substeps      = effort.n_substeps;
+    report.n_cells_crossed = effort.n_cells_crossed;
+    if (n_stored < travellers.size())
+      count_missing<dim>(travellers, report);
+    return report;
   }
 
 
@@ -339,7 +367,10 @@ namespace Thalweg
       travellers.push_back(
         {make_walker<dim>(cells[i], reference_points[i], dt),
          {dealii::Utilities::MPI::this_mpi_process(communicator), i}});
-    travel(walk, communicator, travellers);
+    WalkEffort effort;
+    for (auto &traveller : travellers)
+      walk.walk(traveller.walker, effort);
+    walk_on_other_ranks(walk, communicator, travellers, effort);
 
     std::map<unsigned int, std::vector<Answer<dim>>> answers;
     for (const auto &[walker, question] : travellers)

@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace Thalweg
@@ -93,6 +94,17 @@ namespace Thalweg
           result[d] += inverse[d][c] * b[c];
       }
       return result;
+    }
+
+    /// Whether all coordinates are finite numbers.
+    template <int dim>
+    inline bool
+    is_finite(const std::array<double, dim> &x)
+    {
+      bool finite = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        finite &= std::isfinite(x[d]);
+      return finite;
     }
   } // namespace CellPolynomial
 } // namespace Thalweg

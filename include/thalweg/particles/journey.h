@@ -60,65 +60,57 @@ namespace Thalweg
 
 
   /**
-   * @brief Lets all travellers walk to their end, across ranks. Collective.
-   *
-   * A traveller that comes to a cell of another rank goes on there with the
-   * time that is left, as often as it takes.
+   * @brief Lets the travellers that stand in cells of other ranks walk on
+   * there, with the time that is left and as often as it takes. Collective.
    *
    * @param walk the streamlines
    * @param communicator the ranks that share the mesh
-   * @param travellers on return those whose way ended on this rank, with
-   *   their fate: first the ones that started here, then the others in an
-   *   order that depends on the partition of the mesh alone
-   * @return the work that this rank has done
+   * @param travellers all of them have walked on this rank; on return those
+   *   whose way ended on this rank, with their fate: first the ones that
+   *   started here, then the others in an order that depends on the partition
+   *   of the mesh alone
+   * @param effort the work that this rank does is added to it
    */
   template <int dim, typename Luggage>
-  WalkEffort
-  travel(const StreamlineWalk<dim> &walk,
-         const MPI_Comm communicator,
-         std::vector<Traveller<dim, Luggage>> &travellers)
+  void
+  walk_on_other_ranks(const StreamlineWalk<dim> &walk,
+                      const MPI_Comm communicator,
+                      std::vector<Traveller<dim, Luggage>> &travellers,
+                      WalkEffort &effort)
   {
-    using Flight = TravellerInFlight<dim, Luggage>;
+    using Flight  = TravellerInFlight<dim, Luggage>;
+    namespace MPI = dealii::Utilities::MPI;
+    if (MPI::n_mpi_processes(communicator) == 1)
+      return;
 
-    const auto &graph = walk.graph();
-    const bool is_serial
-      = dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
-    WalkEffort effort;
+    const auto &graph     = walk.graph();
     std::size_t first_new = 0;
     while (true)
     {
       std::map<unsigned int, std::vector<Flight>> departing;
       std::size_t n_staying = first_new;
       for (std::size_t i = first_new; i < travellers.size(); ++i)
-      {
-        walk.walk(travellers[i].walker, effort);
         if (travellers[i].walker.fate == Fate::elsewhere)
         {
           const auto &cell = graph.cell(travellers[i].walker.cell);
           departing[cell.owner].push_back({travellers[i], cell.global_index});
         }
         else
-        {
-          if (n_staying != i)
-            travellers[n_staying] = travellers[i];
-          ++n_staying;
-        }
-      }
+          travellers[n_staying++] = travellers[i];
       travellers.resize(n_staying);
       first_new = n_staying;
 
-      if (is_serial
-          || dealii::Utilities::MPI::max(departing.empty() ? 0 : 1,
-                                         communicator)
-               == 0)
-        return effort;
+      if (MPI::max(departing.empty() ? 0 : 1, communicator) == 0)
+        return;
 
       for (const auto &[rank, arriving] : send_plain(communicator, departing))
         for (const Flight &flight : arriving)
         {
-          travellers.push_back(flight.traveller);
-          travellers.back().walker.cell = graph.owned_index(flight.cell);
-          travellers.back().walker.fate = Fate::under_way;
+          Traveller<dim, Luggage> traveller = flight.traveller;
+          traveller.walker.cell             = graph.owned_index(flight.cell);
+          traveller.walker.fate             = Fate::under_way;
+          walk.walk(traveller.walker, effort);
+          travellers.push_back(traveller);
         }
     }
   }

@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/cell_id.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cstdint>

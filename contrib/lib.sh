@@ -7,11 +7,10 @@ ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 BUILD=${BUILD:-$ROOT/build}
 
 # What building, running and testing need, as Debian packages.
-BUILD_PACKAGES=(
-  libdeal.ii-dev libboost-program-options-dev
-  cmake ninja-build ccache g++ openmpi-bin
+PACKAGES=(
+  libdeal.ii-dev libboost-program-options-dev libgtest-dev
+  cmake ninja-build ccache g++ openmpi-bin python3
 )
-TEST_PACKAGES=(libgtest-dev python3)
 PLOT_PACKAGES=(python3 python3-numpy python3-matplotlib python3-vtk9)
 
 say() {

@@ -1,3 +1,4 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/postprocess/csv_file.h>
 #include <thalweg/postprocess/pvd_record.h>
 
@@ -16,45 +17,46 @@ namespace Thalweg
     if (context.output_directory.empty())
       return;
     const std::string directory = context.output_directory + "/" + name;
-    run_on_root(context, [&]() {
+    on_root(context.communicator, [&]() {
       std::error_code error;
       std::filesystem::create_directories(directory, error);
       AssertThrow(!error,
-                  dealii::ExcMessage("Cannot create the directory '" + directory
-                                     + "': " + error.message() + "."));
+                  dealii::ExcMessage("Cannot create the directory '" +
+                                     directory + "': " + error.message() +
+                                     "."));
     });
   }
 
 
   template <int dim, int spacedim>
   void
-  PvdRecord::write(const Context &context,
+  PvdRecord::write(const Context                           &context,
                    dealii::DataOutInterface<dim, spacedim> &data,
-                   const double time,
-                   const unsigned int step)
+                   const double                             time,
+                   const unsigned int                       step)
   {
     if (context.output_directory.empty())
       return;
     dealii::DataOutBase::VtkFlags flags;
     flags.time  = time;
     flags.cycle = step;
-    flags.compression_level
-      = dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
+    flags.compression_level =
+      dealii::DataOutBase::VtkFlags::ZlibCompressionLevel::best_speed;
     flags.physical_units = {{"velocity", "m/s"},
                             {"pressure", "Pa"},
                             {"level_set", "m"},
                             {"density", "kg/m^3"}};
     data.set_flags(flags);
-    const std::string file
-      = data.write_vtu_with_pvtu_record(context.output_directory + "/" + name
-                                          + "/",
-                                        name,
-                                        files.size(),
-                                        context.communicator,
-                                        4,
-                                        1);
+    const std::string file =
+      data.write_vtu_with_pvtu_record(context.output_directory + "/" + name +
+                                        "/",
+                                      name,
+                                      files.size(),
+                                      context.communicator,
+                                      4,
+                                      1);
     files.emplace_back(time, name + "/" + file);
-    run_on_root(context, [&]() { write_record(context); });
+    on_root(context.communicator, [&]() { write_record(context); });
   }
 
 
@@ -63,13 +65,13 @@ namespace Thalweg
   {
     const std::string path = context.output_directory + "/" + name + ".pvd";
     const std::string temporary = path + ".new";
-    std::ofstream stream(temporary, std::ios::trunc);
+    std::ofstream     stream(temporary, std::ios::trunc);
     dealii::DataOutBase::write_pvd_record(stream, files);
     stream.close();
     AssertThrow(stream,
-                dealii::ExcMessage("Cannot write to '" + temporary
-                                   + "'. May you write there, and is the disk "
-                                     "full?"));
+                dealii::ExcMessage("Cannot write to '" + temporary +
+                                   "'. May you write there, and is the disk "
+                                   "full?"));
     std::filesystem::rename(temporary, path);
   }
 

@@ -4,20 +4,11 @@
 #include <thalweg/core/context.h>
 
 #include <fstream>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
-  /**
-   * @brief Runs @p action on the root process; if it throws, all processes
-   * throw. Collective.
-   * @throws dealii::ExcMessage with what @p action complained about
-   */
-  void
-  run_on_root(const Context &context, const std::function<void()> &action);
-
   /**
    * @brief A table that grows by rows of numbers, written by the root
    * process.
@@ -36,8 +27,8 @@ namespace Thalweg
      * @throws dealii::ExcMessage on all processes if it cannot be written
      */
     void
-    open(const Context &context,
-         const std::string &name,
+    open(const Context                  &context,
+         const std::string              &name,
          const std::vector<std::string> &columns);
 
     /**
@@ -49,9 +40,9 @@ namespace Thalweg
     write_row(const Context &context, const std::vector<double> &values);
 
   private:
-    std::string path;
+    std::string   path;
     std::ofstream file;
-    std::size_t n_columns = 0;
+    std::size_t   n_columns = 0;
   };
 } // namespace Thalweg
 

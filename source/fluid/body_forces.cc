@@ -28,15 +28,34 @@ namespace Thalweg
 
 
   template <int dim>
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  BodyForces<dim>::parse() const
+  {
+    if (density_expression.empty())
+      return nullptr;
+    return parse_expression<dim>(density_expression,
+                                 dim,
+                                 "Body forces/Force density");
+  }
+
+
+
+  template <int dim>
+  void
+  BodyForces<dim>::check() const
+  {
+    parse();
+  }
+
+
+
+  template <int dim>
   void
   BodyForces<dim>::initialize()
   {
     for (unsigned int d = 0; d < dim; ++d)
       gravity_[d] = gravity_components[d];
-    if (!density_expression.empty())
-      density_function = parse_expression<dim>(density_expression,
-                                               dim,
-                                               "Body forces/Force density");
+    density_function = parse();
   }
 
 

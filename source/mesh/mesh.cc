@@ -50,11 +50,20 @@ namespace Thalweg
 
   template <int dim>
   void
-  Mesh<dim>::create(const MeshParameters<dim> &parameters)
+  Mesh<dim>::create_coarse(const MeshParameters<dim> &parameters)
   {
     parameters.geometry->create(tria);
     names = parameters.geometry->boundary_names();
     join_periodic_boundaries(parameters.periodic_boundaries);
+  }
+
+
+
+  template <int dim>
+  void
+  Mesh<dim>::create(const MeshParameters<dim> &parameters)
+  {
+    create_coarse(parameters);
     tria.refine_global(parameters.global_refinement);
     refine_locally(parameters.global_refinement, parameters.local_refinement);
     update();

@@ -21,6 +21,10 @@ namespace Thalweg
     void
     declare_parameters(const Section &root);
 
+    /// Tries the expressions. @throws dealii::ExcMessage
+    void
+    check() const;
+
     /// Reads the expressions. @throws dealii::ExcMessage
     void
     initialize();
@@ -48,6 +52,9 @@ namespace Thalweg
     density(const dealii::Point<dim> &x) const;
 
   private:
+    std::unique_ptr<dealii::FunctionParser<dim>>
+    parse() const;
+
     std::vector<double>    gravity_components = std::vector<double>(dim, 0.);
     std::string            density_expression;
     dealii::Tensor<1, dim> gravity_;

@@ -44,6 +44,11 @@ namespace Thalweg
 
     explicit Mesh(const MPI_Comm communicator);
 
+    /// Creates the coarse mesh and joins periodic boundaries, no more; for
+    /// checks of the input. Throws as create() does.
+    void
+    create_coarse(const MeshParameters<dim> &parameters);
+
     /**
      * @brief Creates the coarse mesh, joins periodic boundaries and refines.
      * @throws dealii::ExcMessage for unknown boundary names and everything

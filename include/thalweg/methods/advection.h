@@ -1,0 +1,51 @@
+#ifndef thalweg_methods_advection_h
+#define thalweg_methods_advection_h
+
+#include <thalweg/methods/method.h>
+
+#include <deal.II/base/function_parser.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief Particles and interface in a prescribed velocity field, to
+   * measure convection alone.
+   */
+  template <int dim>
+  class Advection : public Method<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) override;
+
+    void
+    initialize(const Parts<dim> &parts,
+               const Vector     &initial_velocity,
+               const Vector     &initial_level_set) override;
+
+    void
+    advance(const double time, const double dt) override;
+
+    const Vector &
+    velocity() const override
+    {
+      return convecting_velocity;
+    }
+
+  private:
+    /// Interpolates the expression at @p time to the nodes.
+    void
+    set_velocity(const double time);
+
+    std::string                                  expression;
+    std::unique_ptr<dealii::FunctionParser<dim>> function;
+    std::unique_ptr<Parts<dim>>                  parts;
+    Vector                                       convecting_velocity;
+    Vector                                       projected_velocity;
+    Vector                                       level_set;
+    CellVelocity<dim>                            cell_velocity;
+    CellField<dim, 1>                            cell_level_set;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,76 @@
+#ifndef thalweg_methods_method_h
+#define thalweg_methods_method_h
+
+#include <thalweg/core/context.h>
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fluid/fluid_solver.h>
+#include <thalweg/interface/phase_field.h>
+#include <thalweg/particles/population_control.h>
+#include <thalweg/particles/streamline_convection.h>
+#include <thalweg/transfer/projection.h>
+
+namespace Thalweg
+{
+  /// The parts that a method plays on.
+  template <int dim>
+  struct Parts
+  {
+    Context                         &context;
+    const Mesh<dim>                 &mesh;
+    const NodeSpace<dim>            &space;
+    const Fluids                    &fluids;
+    BodyForces<dim>                 &forces;
+    BoundaryConditions<dim>         &conditions;
+    const BoundaryNodes<dim>        &boundary;
+    Population<dim>                 &population;
+    const StreamlineConvection<dim> &convection;
+    const PopulationControl<dim>    &control;
+    const Projection<dim>           &projection;
+    PhaseField<dim>                 &phase;
+    FluidSolver<dim>                &flow;
+  };
+
+  /**
+   * @brief An algorithm that advances the solution by one time step;
+   * registered under "Method".
+   */
+  template <int dim>
+  class Method
+  {
+  public:
+    virtual ~Method() = default;
+
+    virtual void
+    declare_parameters(const Section &section) = 0;
+
+    /**
+     * @brief Prepares the first step.
+     * @param parts must outlive the method
+     * @param initial_velocity m/s, ghosted
+     * @param initial_level_set ghosted
+     */
+    virtual void
+    initialize(const Parts<dim> &parts,
+               const Vector     &initial_velocity,
+               const Vector     &initial_level_set) = 0;
+
+    /// From @p time to @p time + @p dt, in s. @throws SolverFailure
+    virtual void
+    advance(const double time, const double dt) = 0;
+
+    /// The velocity that the next step convects with, to choose its size.
+    virtual const Vector &
+    velocity() const = 0;
+  };
+
+  /// Writes what convection and population control did into the statistics.
+  template <int dim>
+  void
+  record_particles(const Parts<dim>       &parts,
+                   const ConvectionReport &report,
+                   const unsigned int      n_added,
+                   const unsigned int      n_removed);
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,25 @@
+#ifndef thalweg_simulation_flow_quantities_h
+#define thalweg_simulation_flow_quantities_h
+
+#include <thalweg/interface/phase_field.h>
+#include <thalweg/postprocess/solution_view.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief Kinetic and potential energy and the largest speed in each fluid,
+   * with the names of their columns in the statistics. Collective.
+   * @param gravity m/s^2; the potential is zero at the origin
+   */
+  template <int dim>
+  std::vector<std::pair<std::string, double>>
+  flow_quantities(const SolutionView<dim>      &solution,
+                  const PhaseField<dim>        &phase,
+                  const dealii::Tensor<1, dim> &gravity);
+} // namespace Thalweg
+
+#endif

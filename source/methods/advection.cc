@@ -1,0 +1,105 @@
+#include <thalweg/fields/expression.h>
+#include <thalweg/fields/interpolation.h>
+#include <thalweg/methods/advection.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  Advection<dim>::declare_parameters(const Section &section)
+  {
+    section.add("Velocity",
+                expression,
+                "m/s",
+                "The velocity as a function of x, y, z and t, a semicolon "
+                "between the components. It is interpolated at the nodes in "
+                "the middle of each step.",
+                dealii::Patterns::Anything());
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::initialize(const Parts<dim> &parts_,
+                             const Vector     &initial_velocity,
+                             const Vector     &initial_level_set)
+  {
+    parts    = std::make_unique<Parts<dim>>(parts_);
+    function = parse_expression<dim>(expression,
+                                     dim,
+                                     "Method/advection/Velocity");
+    convecting_velocity = initial_velocity;
+    projected_velocity  = initial_velocity;
+    level_set           = initial_level_set;
+    parts->projection.project(parts->population,
+                              parts->space,
+                              parts->fluids,
+                              projected_velocity,
+                              level_set);
+    parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
+    set_velocity(0.);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::set_velocity(const double time)
+  {
+    function->set_time(time);
+    interpolate_function(parts->space, *function, convecting_velocity);
+    parts->space.copy_to_cells(convecting_velocity, cell_velocity);
+    Vector &v = parts->flow.velocity();
+    v.copy_locally_owned_data_from(convecting_velocity);
+    parts->space.interpolate(v, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::advance(const double time, const double dt)
+  {
+    auto &timers = parts->context.timers;
+    set_velocity(time + .5 * dt);
+    parts->space.copy_to_cells(parts->phase.level_set(), cell_level_set);
+    ConvectionReport report;
+    unsigned int     n_added, n_removed;
+    {
+      dealii::TimerOutput::Scope scope(timers, "convection");
+      report = parts->convection.move(parts->population, cell_velocity, dt);
+    }
+    {
+      dealii::TimerOutput::Scope scope(timers, "population");
+      n_added   = parts->control.fill_empty_cells(parts->population,
+                                                cell_velocity,
+                                                cell_level_set,
+                                                dt);
+      n_removed = parts->control.limit(parts->population);
+    }
+    {
+      dealii::TimerOutput::Scope scope(timers, "projection");
+      parts->projection.project(parts->population,
+                                parts->space,
+                                parts->fluids,
+                                projected_velocity,
+                                level_set); // (69)
+    }
+    {
+      dealii::TimerOutput::Scope scope(timers, "interface");
+      parts->phase.target_volume -=
+        dt * parts->phase.outflow(convecting_velocity, parts->boundary);
+      parts->phase.rebuild(level_set);
+    }
+    record_particles(*parts, report, n_added, n_removed);
+  }
+
+
+
+  THALWEG_INSTANTIATE(Advection)
+  THALWEG_REGISTER(Method,
+                   Advection,
+                   "advection",
+                   "particles and interface move in a prescribed velocity")
+} // namespace Thalweg

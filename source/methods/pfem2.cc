@@ -1,0 +1,128 @@
+#include <thalweg/methods/pfem2.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  Pfem2<dim>::declare_parameters(const Section &section)
+  {
+    section.add("Streamline velocity",
+                streamline_velocity,
+                "",
+                "Particles follow the last velocity field V^n, which is first "
+                "order in time, or the one extrapolated from the last two to "
+                "the middle of the step.",
+                dealii::Patterns::Selection("frozen|extrapolated"));
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::initialize(const Parts<dim> &parts_,
+                         const Vector     &initial_velocity,
+                         const Vector     &initial_level_set)
+  {
+    parts               = std::make_unique<Parts<dim>>(parts_);
+    convecting_velocity = initial_velocity;
+    old_velocity        = initial_velocity;
+    velocity_star       = initial_velocity;
+    level_set           = initial_level_set;
+    convecting_velocity.update_ghost_values();
+    velocity_star.update_ghost_values();
+    parts->projection.project(parts->population,
+                              parts->space,
+                              parts->fluids,
+                              velocity_star,
+                              level_set);
+    parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
+    Vector &v = parts->flow.velocity();
+    v.copy_locally_owned_data_from(initial_velocity);
+    parts->space.interpolate(v, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::choose_convecting_velocity(const double dt)
+  {
+    const Vector &v = parts->flow.velocity();
+    convecting_velocity.zero_out_ghost_values();
+    convecting_velocity.copy_locally_owned_data_from(v);
+    if (streamline_velocity == "extrapolated" && old_dt > 0)
+      {
+        convecting_velocity.add(.5 * dt / old_dt, v);
+        convecting_velocity.add(-.5 * dt / old_dt, old_velocity);
+      }
+    parts->space.interpolate(convecting_velocity, dim);
+    parts->space.copy_to_cells(convecting_velocity, cell_velocity);
+    parts->space.copy_to_cells(parts->phase.level_set(), cell_level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::advance(const double time, const double dt)
+  {
+    auto &[context,
+           mesh,
+           space,
+           fluids,
+           forces,
+           conditions,
+           boundary,
+           population,
+           convection,
+           control,
+           projection,
+           phase,
+           flow] = *parts;
+
+    ConvectionReport report;
+    unsigned int     n_added, n_removed;
+    choose_convecting_velocity(dt);
+    old_velocity.copy_locally_owned_data_from(flow.velocity());
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "convection");
+      report = convection.move(population, cell_velocity, dt); // (87a)
+    }
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "population");
+      n_added =
+        control.fill_empty_cells(population, cell_velocity, cell_level_set, dt);
+    }
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "projection");
+      projection.project(population, space, fluids, velocity_star, level_set); // (69)
+    }
+    conditions.set_time(time + dt);
+    forces.set_time(time + dt);
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "interface");
+      phase.target_volume -= dt * phase.outflow(convecting_velocity, boundary);
+      phase.rebuild(level_set);
+    }
+    flow.solve(velocity_star, dt); // (87b) to (87e)
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "increment");
+      add_increment(population, space, flow.velocity(), velocity_star); // (87) 3
+    }
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "population");
+      n_removed = control.limit(population);
+    }
+    old_dt = dt;
+    record_particles(*parts, report, n_added, n_removed);
+  }
+
+
+
+  THALWEG_INSTANTIATE(Pfem2)
+  THALWEG_REGISTER(Method,
+                   Pfem2,
+                   "pfem2",
+                   "particles convect, the mesh solves for pressure and "
+                   "viscosity, the particles take the increment (Eq. 87)")
+} // namespace Thalweg

@@ -1,0 +1,117 @@
+#include <thalweg/fields/expression.h>
+#include <thalweg/simulation/simulation.h>
+
+#include <sstream>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  SimulationParameters<dim>::declare(const Section &root)
+  {
+    {
+      const Section section = root.enter("Method");
+      method.declare_parameters(section, "pfem2", "algorithm");
+    }
+    mesh.declare(root);
+    time.declare_parameters(root);
+    fluids.declare_parameters(root);
+    forces.declare_parameters(root);
+    {
+      const Section section = root.enter("Initial conditions");
+      section.add("Velocity",
+                  initial_velocity,
+                  "m/s",
+                  "A function of x, y and z with a semicolon between the "
+                  "components.",
+                  dealii::Patterns::Anything());
+      section.add("Level set",
+                  initial_level_set,
+                  "m",
+                  "A function of x, y and z that is negative in the first "
+                  "fluid and positive in the second; a signed distance, or "
+                  "anything with the right sign if the particles carry signs.",
+                  dealii::Patterns::Anything());
+    }
+    boundary_conditions.declare(root);
+    {
+      const Section section = root.enter("Particles");
+      seeding.declare_parameters(section);
+      convection.declare_parameters(section);
+      population.declare_parameters(section);
+      section.add("Carry",
+                  particles_carry,
+                  "",
+                  "What tells the fluids apart: the sign of the level set "
+                  "(Eq. 69), or its value at the start, which should be a "
+                  "signed distance and makes for a smoother interface.",
+                  dealii::Patterns::Selection("sign|distance"));
+    }
+    {
+      const Section section = root.enter("Projection");
+      projection.declare_parameters(section,
+                                    "weighted average",
+                                    "projection from particles to the mesh");
+    }
+    interface.declare(root);
+    {
+      const Section section = root.enter("Fluid solver");
+      fluid_solver.declare_parameters(section,
+                                      "fractional step",
+                                      "solver of the flow equations");
+    }
+    {
+      const Section section = root.enter("Postprocess");
+      postprocessors.declare_parameters(section, "postprocessors");
+    }
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParameters<dim>::check(std::vector<std::string> &faults) const
+  {
+    const auto collect = [&faults](const auto &test) {
+      try
+        {
+          test();
+        }
+      catch (const dealii::ExcMessage &exception)
+        {
+          std::ostringstream text;
+          exception.print_info(text);
+          std::string message = text.str();
+          message.erase(0, message.find_first_not_of(" \n"));
+          message.erase(message.find_last_not_of(" \n") + 1);
+          faults.push_back(message);
+        }
+    };
+    collect([this]() { fluids.check(); });
+    collect([this]() { time.check(); });
+    collect([this]() {
+      parse_expression<dim>(initial_velocity,
+                            dim,
+                            "Initial conditions/Velocity");
+    });
+    collect([this]() {
+      parse_expression<dim>(initial_level_set,
+                            1,
+                            "Initial conditions/Level set");
+    });
+    collect([this]() { forces.check(); });
+    collect([this]() {
+      Mesh<dim> coarse(MPI_COMM_SELF);
+      coarse.create_coarse(mesh);
+      const BoundaryConditions<dim> conditions(boundary_conditions, coarse);
+      for (const auto &[id, condition] : conditions.all())
+        if (!condition.inflow_fluid.empty())
+          fluids.index(condition.inflow_fluid);
+    });
+  }
+
+
+
+  template struct SimulationParameters<2>;
+  template struct SimulationParameters<3>;
+} // namespace Thalweg

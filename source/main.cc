@@ -1,9 +1,12 @@
-#include <thalweg/core/context.h>
+#include <thalweg/core/errors.h>
+#include <thalweg/simulation/program.h>
 
 int
 main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Thalweg::Context context(MPI_COMM_WORLD);
-  context.log.line("Thalweg " THALWEG_VERSION);
+  return Thalweg::run_guarded(MPI_COMM_WORLD, [argc, argv]() {
+    return Thalweg::run_program(MPI_COMM_WORLD,
+                                Thalweg::read_options(argc, argv));
+  });
 }

@@ -58,6 +58,10 @@ namespace Thalweg
     std::string
     value_fault(const InputEntry &entry, const DeclaredParameter &parameter)
     {
+      // The factory cannot read nested lists; set() checks those.
+      if (parameter.pattern.find("[List", 1) != std::string::npos ||
+          parameter.pattern.find("[Tuple") != std::string::npos)
+        return "";
       const auto pattern = dealii::Patterns::pattern_factory(parameter.pattern);
       if (pattern->match(entry.value))
         return "";

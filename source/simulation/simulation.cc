@@ -188,6 +188,8 @@ namespace Thalweg
   Simulation<dim>::run()
   {
     const double none = 0.;
+    if (context.is_root && !context.output_directory.empty())
+      context.statistics.open(context.output_directory + "/statistics.csv");
     {
       dealii::TimerOutput::Scope scope(context.timers, "setup");
       initialize();

@@ -1,0 +1,137 @@
+#include <thalweg/core/errors.h>
+#include <thalweg/core/parameter_file.h>
+#include <thalweg/core/reference.h>
+#include <thalweg/core/section.h>
+#include <thalweg/simulation/program.h>
+#include <thalweg/simulation/run_directory.h>
+#include <thalweg/simulation/simulation.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// The settings that are needed before a simulation exists.
+    struct ProgramParameters
+    {
+      unsigned int dimension = 2;
+      std::string  output_directory;
+
+      void
+      declare(const Section &root)
+      {
+        root.add("Dimension",
+                 dimension,
+                 "",
+                 "In how many dimensions the flow is computed.",
+                 dealii::Patterns::Integer(2, 3));
+        root.add("Output directory",
+                 output_directory,
+                 "",
+                 "Where all results go. If it is empty, they go to "
+                 "output/NAME for an input file called NAME.prm. The option "
+                 "--output overrides it.");
+      }
+    };
+
+
+    ParameterFile
+    read_input(const Options &options)
+    {
+      ParameterFile input =
+        options.file.empty() ? ParameterFile() : ParameterFile(options.file);
+      for (const std::string &assignment : options.overrides)
+        input.override(assignment);
+      return input;
+    }
+
+
+    /// Appends what is wrong with @p parameters to @p faults.
+    template <int dim>
+    void
+    check(const SimulationParameters<dim> &parameters,
+          std::vector<std::string>        &faults)
+    {
+      try
+        {
+          parameters.check(faults);
+        }
+      catch (const std::exception &exception)
+        {
+          faults.push_back(message_of(exception));
+        }
+    }
+
+
+    template <int dim>
+    int
+    run(const MPI_Comm       communicator,
+        const Options       &options,
+        const ParameterFile &input)
+    {
+      dealii::ParameterHandler  prm;
+      ProgramParameters         program;
+      SimulationParameters<dim> parameters;
+      {
+        const Section root(prm);
+        program.declare(root);
+        parameters.declare(root);
+      }
+      std::vector<std::string> faults = input.apply(prm);
+      Context                  context(communicator);
+      if (!options.parameters.empty())
+        {
+          throw_faults(faults);
+          if (context.is_root)
+            print_reference(std::cout, prm, options.parameters);
+          return 0;
+        }
+      check(parameters, faults);
+      throw_faults(faults);
+      if (options.validate)
+        {
+          context.log.line("'" + options.file + "' is valid.");
+          return 0;
+        }
+
+      std::string directory = program.output_directory;
+      if (!options.output.empty())
+        directory = options.output;
+      else if (directory.empty())
+        directory =
+          "output/" + std::filesystem::path(options.file).stem().string();
+      prepare_run_directory(context, directory, options.file, prm);
+
+      Simulation<dim> simulation(communicator, parameters, context);
+      simulation.run();
+      return 0;
+    }
+  } // namespace
+
+
+  int
+  run_program(const MPI_Comm communicator, const Options &options)
+  {
+    if (options.help || options.version)
+      {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          std::cout << (options.help ? help_text() : version_text());
+        return 0;
+      }
+    AssertThrow(!options.resume,
+                dealii::ExcMessage(
+                  "This version cannot go on from a checkpoint yet. Run "
+                  "without --resume; the run then starts from time 0."));
+
+    // A dimension that does not exist is reported with the other faults, as
+    // those of two dimensions.
+    const ParameterFile input = read_input(options);
+    if (input.value("Dimension", "2") == "3")
+      return run<3>(communicator, options, input);
+    return run<2>(communicator, options, input);
+  }
+} // namespace Thalweg

@@ -99,6 +99,7 @@ namespace Thalweg
       }
 
     node_dependences.clear();
+    hanging.clear();
     dependent.assign(scalar_partitioner->locally_owned_size() +
                        scalar_partitioner->n_ghost_indices(),
                      false);
@@ -106,13 +107,21 @@ namespace Thalweg
       {
         const unsigned int node =
           scalar_partitioner->global_to_local(line.index);
-        dependent[node] = true;
+        dependent[node]          = true;
+        const unsigned int first = node_dependences.size();
         for (const auto &entry : line.entries)
           node_dependences.push_back(
             {node,
              scalar_partitioner->global_to_local(entry.first),
              entry.second});
+        if (line.entries.size() > 1)
+          hanging[node] = {first,
+                           static_cast<unsigned int>(node_dependences.size())};
       }
+    node_positions.resize(dependent.size());
+    for (unsigned int c = 0; c < graph.n_cells(); ++c)
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        node_positions[cell_nodes[c][v]] = graph.cell(c).vertices[v];
   }
 
 

@@ -11,6 +11,8 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace Thalweg
@@ -117,6 +119,25 @@ namespace Thalweg
       return dependent[node];
     }
 
+    /**
+     * @brief The part of dependences() that belongs to a hanging node.
+     * @return first and one past the last index; empty for other nodes,
+     *   which includes those that a periodic boundary joins to one other
+     */
+    std::pair<unsigned int, unsigned int>
+    hanging_masters(const unsigned int node) const
+    {
+      const auto entry = hanging.find(node);
+      return entry == hanging.end() ? std::make_pair(0u, 0u) : entry->second;
+    }
+
+    /// The position of a local node.
+    const dealii::Point<dim> &
+    position(const unsigned int node) const
+    {
+      return node_positions[node];
+    }
+
     /// Copies a ghosted, constraint-consistent velocity cell by cell.
     void
     copy_to_cells(const Vector &velocity, CellVelocity<dim> &cells) const;
@@ -141,6 +162,9 @@ namespace Thalweg
     std::vector<std::array<unsigned int, n_vertices>> cell_nodes;
     std::vector<Dependence>                           node_dependences;
     std::vector<bool>                                 dependent;
+    std::vector<dealii::Point<dim>>                   node_positions;
+    std::unordered_map<unsigned int, std::pair<unsigned int, unsigned int>>
+      hanging;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
       scalar_partitioner;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>

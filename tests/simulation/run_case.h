@@ -1,0 +1,46 @@
+#ifndef tests_simulation_run_case_h
+#define tests_simulation_run_case_h
+
+#include <thalweg/simulation/simulation.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+
+/**
+ * @brief A run from the text of an input file, without any output, for tests.
+ */
+template <int dim>
+struct RunCase
+{
+  explicit RunCase(const std::string &text)
+    : context(MPI_COMM_WORLD)
+  {
+    context.log = Thalweg::Log(false);
+    {
+      const Thalweg::Section root(prm);
+      parameters.declare(root);
+    }
+    prm.parse_input_from_string(text);
+    simulation =
+      std::make_unique<Thalweg::Simulation<dim>>(MPI_COMM_WORLD,
+                                                 parameters,
+                                                 context);
+    simulation->run();
+  }
+
+  /// A value of the last row of the statistics.
+  double
+  last(const std::string &column) const
+  {
+    return context.statistics.get(column);
+  }
+
+  dealii::ParameterHandler                  prm;
+  Thalweg::SimulationParameters<dim>        parameters;
+  Thalweg::Context                          context;
+  std::unique_ptr<Thalweg::Simulation<dim>> simulation;
+};
+
+#endif

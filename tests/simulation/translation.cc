@@ -1,0 +1,58 @@
+#include "run_case.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+  /// A heavy drop that moves with its surroundings through a periodic box.
+  std::string
+  drop(const std::string &dt, const std::string &end, const std::string &levels)
+  {
+    return "subsection Geometry\n set Periodic boundaries = left:right, "
+           "bottom:top\n subsection box\n  set Repetitions = 16, 16\n end\n"
+           "end\n"
+           "subsection Refinement\n set Local levels = " +
+           levels +
+           "\nend\n"
+           "subsection Time\n set Time step = " +
+           dt + "\n set End time = " + end +
+           "\nend\n"
+           "subsection Fluids\n subsection Second fluid\n  set Density = 1\n "
+           "end\nend\n"
+           "subsection Initial conditions\n set Velocity = 1; 0.5\n"
+           " set Level set = sqrt((x-0.5)^2 + (y-0.5)^2) - 0.2\nend\n"
+           "subsection Fluid solver\n subsection fractional step\n"
+           "  set Pressure tolerance = 1e-12\n end\nend\n";
+  }
+
+
+
+  double
+  deviation(const RunCase<2> &run)
+  {
+    const double U = std::sqrt(1.25);
+    return std::max(std::abs(run.last("max velocity 1 [m/s]") - U),
+                    std::abs(run.last("max velocity 2 [m/s]") - U));
+  }
+} // namespace
+
+
+
+TEST(Translation, UniformFlowStaysUniformAtAnyTimeStep)
+{
+  for (const auto &[dt, end] : {std::make_pair("0.0005", "0.005"),
+                                std::make_pair("0.05", "0.5"),
+                                std::make_pair("0.4", "2")})
+    EXPECT_LT(deviation(RunCase<2>(drop(dt, end, "0"))), 1e-7) << dt;
+}
+
+
+
+TEST(Translation, UniformFlowStaysUniformAcrossHangingNodes)
+{
+  EXPECT_LT(deviation(RunCase<2>(drop("0.05", "0.5", "if(x < 0.5, 1, 0)"))),
+            1e-7);
+}

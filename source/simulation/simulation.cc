@@ -80,6 +80,8 @@ namespace Thalweg
       }
     convection = std::make_unique<StreamlineConvection<dim>>(
       mesh, parameters.convection, walls);
+    parameters.population.level_set_is_sign =
+      parameters.particles_carry == "sign";
     control = std::make_unique<PopulationControl<dim>>(parameters.population,
                                                        *convection,
                                                        inflow);

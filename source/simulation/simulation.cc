@@ -9,15 +9,18 @@ namespace Thalweg
 {
   namespace
   {
-    /// The initial level set as particles carry it: itself, or its sign.
+    /// The initial level set as particles carry it: cut off at a distance,
+    /// or with that distance wherever it is not zero.
     template <int dim>
     class CarriedLevelSet : public dealii::Function<dim>
     {
     public:
       CarriedLevelSet(const dealii::Function<dim> &function,
-                      const bool                   sign_only)
+                      const bool                   sign_only,
+                      const double                 band)
         : function(function)
         , sign_only(sign_only)
+        , band(band)
       {}
 
       double
@@ -25,12 +28,15 @@ namespace Thalweg
             const unsigned int        component = 0) const override
       {
         const double phi = function.value(x, component);
-        return sign_only ? (phi < 0 ? -1. : 1.) : phi;
+        if (sign_only)
+          return phi < 0 ? -1. : 1.;
+        return std::max(-band, std::min(band, phi));
       }
 
     private:
       const dealii::Function<dim> &function;
       const bool                   sign_only;
+      const double                 band;
     };
   } // namespace
 
@@ -99,8 +105,12 @@ namespace Thalweg
     seed(*population,
          parameters.seeding,
          *velocity,
-         CarriedLevelSet<dim>(*level_set,
-                              parameters.particles_carry == "sign"));
+         CarriedLevelSet<dim>(
+           *level_set,
+           parameters.particles_carry == "sign",
+           parameters.distance_band *
+             dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
+                                         context.communicator)));
 
     Vector initial_velocity, initial_level_set;
     space->initialize_velocity(initial_velocity);

@@ -43,9 +43,17 @@ namespace Thalweg
                   particles_carry,
                   "",
                   "What tells the fluids apart: the sign of the level set "
-                  "(Eq. 69), or its value at the start, which should be a "
-                  "signed distance and makes for a smoother interface.",
+                  "(Eq. 69), or its initial value cut off at the distance "
+                  "band, which makes for a smoother interface and keeps the "
+                  "volume better.",
                   dealii::Patterns::Selection("sign|distance"));
+      section.add("Distance band",
+                  distance_band,
+                  "",
+                  "At how many times the shortest edge of the mesh the "
+                  "distance that particles carry is cut off: farther away it "
+                  "says nothing, and would be distorted by the flow.",
+                  dealii::Patterns::Double(0));
     }
     {
       const Section section = root.enter("Projection");

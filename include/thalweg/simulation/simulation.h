@@ -34,7 +34,9 @@ namespace Thalweg
     std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";
     std::string initial_level_set = "1";
     /// "sign" or "distance"
-    std::string                 particles_carry = "sign";
+    std::string                 particles_carry = "distance";
+    /// In smallest cell sizes: greater distances are cut off there.
+    double                      distance_band = 1.;
     SeedingParameters           seeding;
     ConvectionParameters        convection;
     PopulationParameters<dim>   population;

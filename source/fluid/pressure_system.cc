@@ -264,19 +264,8 @@ namespace Thalweg
           reference_norm = residual.l2_norm();
       }
 
-    increment = 0.;
-    SolveReport report;
-    if (reference_norm > 0)
-      report = solve_cg(*matrix,
-                        increment,
-                        residual,
-                        amg,
-                        tolerance * reference_norm,
-                        maximal_iterations,
-                        "pressure");
-    amg.report(report.iterations);
-    if (reference_norm > 0)
-      report.residual /= reference_norm;
+    const SolveReport report =
+      solve(tolerance * reference_norm, maximal_iterations);
     space.interpolate(increment, 1);
 
     pressure.nodal.zero_out_ghost_values();
@@ -291,6 +280,41 @@ namespace Thalweg
                     increment.local_element(space.nodes(cuts[k].cell)[v]);
           pressure.star[k] += star / cuts[k].laplace_star_star; // (85)
         }
+    return report;
+  }
+
+
+
+  template <int dim>
+  SolveReport
+  PressureSystem<dim>::solve(const double       tolerance,
+                             const unsigned int maximal_iterations)
+  {
+    increment = 0.;
+    if (reference_norm == 0.)
+      return {};
+    SolveReport report;
+    const auto  attempt = [&](const unsigned int iterations) {
+      increment = 0.;
+      report    = solve_cg(
+        *matrix, increment, residual, amg, tolerance, iterations, "pressure");
+    };
+    if (amg.is_fresh())
+      attempt(maximal_iterations);
+    else
+      try
+        {
+          attempt(std::min(maximal_iterations, amg.patience()));
+        }
+      catch (const SolverFailure &)
+        {
+          // The hierarchy of an earlier step serves no longer.
+          amg.invalidate();
+          amg.update(*matrix);
+          attempt(maximal_iterations);
+        }
+    amg.report(report.iterations);
+    report.residual /= reference_norm;
     return report;
   }
 

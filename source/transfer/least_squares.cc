@@ -2,14 +2,50 @@
 #include <thalweg/transfer/projection.h>
 
 #include <cmath>
+#include <optional>
 
 namespace Thalweg
 {
   namespace
   {
-    /// Below this part of the largest possible determinant the particles
+    /// Below this part of its diagonal entry a pivot says that the particles
     /// around a node determine no plane.
-    constexpr double singular_determinant = 1e-6;
+    constexpr double smallest_pivot = 1e-3;
+
+
+
+    /// The first unknown of a symmetric system by Cholesky's method, or
+    /// nothing if a pivot is too small.
+    template <int n>
+    std::optional<double>
+    solve_for_first(const dealii::Tensor<2, n> &matrix,
+                    const dealii::Tensor<1, n> &load)
+    {
+      // Backwards, so that the first unknown comes out first.
+      dealii::Tensor<2, n> factor;
+      dealii::Tensor<1, n> y;
+      for (int i = n - 1; i >= 0; --i)
+        {
+          double pivot = matrix[i][i];
+          for (int k = n - 1; k > i; --k)
+            pivot -= factor[i][k] * factor[i][k];
+          if (!(pivot > smallest_pivot * matrix[i][i]))
+            return {};
+          factor[i][i] = std::sqrt(pivot);
+          for (int j = i - 1; j >= 0; --j)
+            {
+              double entry = matrix[i][j];
+              for (int k = n - 1; k > i; --k)
+                entry -= factor[i][k] * factor[j][k];
+              factor[j][i] = entry / factor[i][i];
+            }
+          double value = load[i];
+          for (int k = n - 1; k > i; --k)
+            value -= factor[i][k] * y[k];
+          y[i] = value / factor[i][i];
+        }
+      return y[0] / factor[0][0];
+    }
 
 
 
@@ -222,17 +258,15 @@ namespace Thalweg
       {
         dealii::Tensor<2, n> matrix;
         dealii::Tensor<1, n> load;
-        double               scale = 1.;
         for (unsigned int i = 0; i < n; ++i)
           {
             for (unsigned int j = 0; j <= i; ++j)
               matrix[i][j] = matrix[j][i] =
                 moments.matrix[i][j].local_element(node);
             load[i] = moments.load[i].local_element(node);
-            scale *= matrix[i][i];
           }
-        if (scale > 0 && determinant(matrix) > singular_determinant * scale)
-          level_set.local_element(node) = (invert(matrix) * load)[0];
+        if (const auto value = solve_for_first(matrix, load))
+          level_set.local_element(node) = *value;
       }
     space.interpolate(level_set, 1);
   }

@@ -94,6 +94,11 @@ namespace Thalweg
     void
     initialize_matrix();
 
+    /// increment = matrix^{-1} residual, with a new multigrid hierarchy if
+    /// the old one no longer serves.
+    SolveReport
+    solve(const double tolerance, const unsigned int maximal_iterations);
+
     const NodeSpace<dim>     &space;
     const BoundaryNodes<dim> &boundary;
     const PhaseField<dim>    &phase;

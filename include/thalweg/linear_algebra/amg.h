@@ -38,6 +38,20 @@ namespace Thalweg
     void
     report(const unsigned int n_iterations);
 
+    /// Whether no solve has been reported since the hierarchy was built.
+    bool
+    is_fresh() const
+    {
+      return fresh_iterations == 0;
+    }
+
+    /// After how many iterations it pays to build anew instead of going on.
+    unsigned int
+    patience() const
+    {
+      return 4 * fresh_iterations + 20;
+    }
+
     /// Builds anew at the next update().
     void
     invalidate();

@@ -60,6 +60,19 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  Simulation<dim>::carried_distance() const
+  {
+    if (parameters.particles_carry == "sign")
+      return 1.;
+    return parameters.distance_band *
+           dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
+                                       context.communicator);
+  }
+
+
+
+  template <int dim>
   void
   Simulation<dim>::initialize()
   {
@@ -79,10 +92,11 @@ namespace Thalweg
                               condition.kind == BoundaryKind::velocity;
         walls[id] = passable ? WallKind::open : WallKind::wall;
         if (passable)
-          inflow[id] = Fluids::sign(
-            condition.inflow_fluid.empty() ?
-              parameters.fluids.size() - 1 :
-              parameters.fluids.index(condition.inflow_fluid));
+          inflow[id] =
+            carried_distance() *
+            Fluids::sign(condition.inflow_fluid.empty() ?
+                           parameters.fluids.size() - 1 :
+                           parameters.fluids.index(condition.inflow_fluid));
       }
     convection = std::make_unique<StreamlineConvection<dim>>(
       mesh, parameters.convection, walls);
@@ -105,12 +119,9 @@ namespace Thalweg
     seed(*population,
          parameters.seeding,
          *velocity,
-         CarriedLevelSet<dim>(
-           *level_set,
-           parameters.particles_carry == "sign",
-           parameters.distance_band *
-             dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
-                                         context.communicator)));
+         CarriedLevelSet<dim>(*level_set,
+                              parameters.particles_carry == "sign",
+                              carried_distance()));
 
     Vector initial_velocity, initial_level_set;
     space->initialize_velocity(initial_velocity);

@@ -73,8 +73,9 @@ namespace Thalweg
     void
     initialize();
 
-    void
-    make_step(const double dt);
+    /// The largest level set value that particles carry. Collective.
+    double
+    carried_distance() const;
 
     /// The Courant number of a step of one second, 1/s. Collective.
     double

@@ -63,7 +63,9 @@ namespace Thalweg
   {
     auto &timers = parts->context.timers;
     set_velocity(time + .5 * dt);
-    parts->space.copy_to_cells(parts->phase.level_set(), cell_level_set);
+    // New particles take the level set without the shift, as the others
+    // carry it: else the shifts of all steps would add up in them.
+    parts->space.copy_to_cells(level_set, cell_level_set);
     ConvectionReport report;
     unsigned int     n_added, n_removed;
     {

@@ -57,7 +57,9 @@ namespace Thalweg
       }
     parts->space.interpolate(convecting_velocity, dim);
     parts->space.copy_to_cells(convecting_velocity, cell_velocity);
-    parts->space.copy_to_cells(parts->phase.level_set(), cell_level_set);
+    // New particles take the level set without the shift, as the others
+    // carry it: else the shifts of all steps would add up in them.
+    parts->space.copy_to_cells(level_set, cell_level_set);
   }
 
 

@@ -107,6 +107,8 @@ public:
     std::getline(file, header);
     while (std::getline(file, line))
       row = line;
+    // Nobody may write it anew before all have read it.
+    MPI_Barrier(MPI_COMM_WORLD);
     std::istringstream cells(row);
     for (std::string cell; std::getline(cells, cell, ',');)
       values.push_back(cell.empty() ? std::nan("") : std::stod(cell));

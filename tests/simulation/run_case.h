@@ -14,8 +14,9 @@
 template <int dim>
 struct RunCase
 {
-  explicit RunCase(const std::string &text)
-    : context(MPI_COMM_WORLD)
+  explicit RunCase(const std::string &text,
+                   const MPI_Comm     communicator = MPI_COMM_WORLD)
+    : context(communicator)
   {
     context.log = Thalweg::Log(false);
     {
@@ -24,7 +25,7 @@ struct RunCase
     }
     prm.parse_input_from_string(text);
     simulation =
-      std::make_unique<Thalweg::Simulation<dim>>(MPI_COMM_WORLD,
+      std::make_unique<Thalweg::Simulation<dim>>(communicator,
                                                  parameters,
                                                  context);
     simulation->run();

@@ -66,7 +66,7 @@ namespace Thalweg
 
     unsigned int iterations           = 1;
     double       iteration_tolerance  = 1e-4;
-    double       pressure_tolerance   = 1e-6;
+    double       pressure_tolerance   = 1e-5;
     double       velocity_tolerance   = 1e-8;
     unsigned int maximal_cg_iterations = 1000;
 

@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "fixture.h"
+
+namespace
+{
+  const std::vector<std::string> box
+    = {"subsection Geometry",
+       "  subsection box",
+       "    set Repetitions = 8, 8",
+       "  end",
+       "end",
+       "subsection Refinement",
+       "  set Local levels = if(x < 0.6, 1, 0)",
+       "end"};
+} // namespace
+
+
+TEST(InterfaceErrorMpi, VanishesForAnExactPlane)
+{
+  State<2> state(box);
+  state.set(state.level_set,
+            [](const auto &p) { return 0.6 * p[0] + 0.8 * p[1] - 0.7; });
+  state.run("interface error", {"Level set = 0.6*x + 0.8*y - 0.7"});
+  const auto values = state.read("interface_error.csv").second;
+  EXPECT_NEAR(values[1], 0., 1e-12);
+  EXPECT_NEAR(values[3], 0., 1e-12);
+}
+
+
+TEST(InterfaceErrorMpi, MeasuresWhatLiesBetweenTwoPlanes)
+{
+  State<2> state(box);
+  state.set(state.level_set, [](const auto &p) { return p[1] - 0.4; });
+  state.run("interface error", {"Level set = y - 0.3 - 0.1*t"}, 0.5);
+  const auto values = state.read("interface_error.csv").second;
+  EXPECT_NEAR(values[0], 0.5, 1e-12);
+  EXPECT_NEAR(values[1], 0.05, 1e-12);
+  EXPECT_NEAR(values[2], 0.05 / 0.35, 1e-12);
+  EXPECT_NEAR(values[3], 0.4 / 0.35 - 1., 1e-12);
+}
+
+
+TEST(InterfaceErrorMpi, SamplesAnExactSphereFinely)
+{
+  State<3> state({"subsection Geometry",
+                  "  subsection box",
+                  "    set Repetitions = 4, 4, 4",
+                  "  end",
+                  "end"});
+  state.set(state.level_set, [](const auto &) { return 1.; });
+  state.run("interface error",
+            {"Level set = sqrt((x-0.5)^2 + (y-0.5)^2 + (z-0.5)^2) - 0.3"});
+  const auto values = state.read("interface_error.csv").second;
+  EXPECT_NEAR(values[1], 4. / 3. * M_PI * std::pow(0.3, 3), 2e-4);
+  EXPECT_NEAR(values[3], -1., 1e-12);
+}

@@ -32,13 +32,13 @@ namespace Thalweg
             names.push_back(name);
         std::vector<std::string> columns{"time [s]"};
         for (const std::string &name : names)
-        {
-          ids.push_back(solution.mesh.boundary_id(name));
-          for (const std::string part : {"pressure", "viscous"})
-            for (unsigned int d = 0; d < dim; ++d)
-              columns.push_back(name + " " + part + " force " + "xyz"[d]
-                                + (dim == 2 ? " [N/m]" : " [N]"));
-        }
+          {
+            ids.push_back(solution.mesh.boundary_id(name));
+            for (const std::string part : {"pressure", "viscous"})
+              for (unsigned int d = 0; d < dim; ++d)
+                columns.push_back(name + " " + part + " force " + "xyz"[d] +
+                                  (dim == 2 ? " [N/m]" : " [N]"));
+          }
         file.open(context, "boundary_forces.csv", columns);
       }
 
@@ -49,17 +49,17 @@ namespace Thalweg
         if (!schedule.is_due(solution.time, solution.last_step))
           return;
         const CellGraph<dim> &graph = solution.mesh.graph();
-        std::vector<double> row(1 + 2 * dim * names.size(), 0.);
+        std::vector<double>   row(1 + 2 * dim * names.size(), 0.);
         for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
           for (unsigned int f = 0; f < graph.n_faces; ++f)
-          {
-            const auto &face = graph.cell(c).faces[f];
-            if (face.behind != CellGraph<dim>::Behind::boundary)
-              continue;
-            for (std::size_t b = 0; b < ids.size(); ++b)
-              if (ids[b] == face.boundary_id)
-                add_face(solution, c, f, &row[1 + 2 * dim * b]);
-          }
+            {
+              const auto &face = graph.cell(c).faces[f];
+              if (face.behind != CellGraph<dim>::Behind::boundary)
+                continue;
+              for (std::size_t b = 0; b < ids.size(); ++b)
+                if (ids[b] == face.boundary_id)
+                  add_face(solution, c, f, &row[1 + 2 * dim * b]);
+            }
         dealii::Utilities::MPI::sum(row, context.communicator, row);
         row[0] = solution.time;
         file.write_row(context, row);
@@ -70,57 +70,58 @@ namespace Thalweg
       /// grad v^T) n with n out of the fluid.
       static void
       add_face(const SolutionView<dim> &solution,
-               const unsigned int c,
-               const unsigned int f,
-               double *const forces)
+               const unsigned int       c,
+               const unsigned int       f,
+               double *const            forces)
       {
         static const Q1::Gauss<dim> gauss;
-        const auto &nodes = solution.space.nodes(c);
-        const auto phi    = cell_level_set(solution, c);
+        const auto                 &nodes = solution.space.nodes(c);
+        const auto                  phi   = cell_level_set(solution, c);
         for (unsigned int q = 0; q < gauss.n_points; ++q)
-        {
-          // Of two points that fall together on the face one is enough.
-          if (((q >> (f / 2)) & 1u) == 1u)
-            continue;
-          dealii::Point<dim> xi = gauss.points[q];
-          xi[f / 2]             = f % 2;
-          const auto shape
-            = Q1::evaluate<dim>(solution.mesh.graph().cell(c),
+          {
+            // Of two points that fall together on the face one is enough.
+            if (((q >> (f / 2)) & 1u) == 1u)
+              continue;
+            dealii::Point<dim> xi = gauss.points[q];
+            xi[f / 2]             = f % 2;
+            const auto shape =
+              Q1::evaluate<dim>(solution.mesh.graph().cell(c),
                                 Q1::values<dim>(xi),
                                 Q1::reference_gradients<dim>(xi));
-          dealii::Tensor<1, dim> reference_normal;
-          reference_normal[f / 2] = f % 2 ? 1. : -1.;
-          const dealii::Tensor<1, dim> normal_dS
-            = 2. * gauss.weight * shape.determinant
-              * (shape.covariant * reference_normal);
+            dealii::Tensor<1, dim> reference_normal;
+            reference_normal[f / 2] = f % 2 ? 1. : -1.;
+            const dealii::Tensor<1, dim> normal_dS =
+              2. * gauss.weight * shape.determinant *
+              (shape.covariant * reference_normal);
 
-          double pressure = 0., level_set = 0.;
-          dealii::Tensor<2, dim> gradient;
-          for (unsigned int v = 0; v < nodes.size(); ++v)
-          {
-            pressure
-              += shape.values[v] * solution.pressure.local_element(nodes[v]);
-            level_set += shape.values[v] * phi[v];
+            double                 pressure = 0., level_set = 0.;
+            dealii::Tensor<2, dim> gradient;
+            for (unsigned int v = 0; v < nodes.size(); ++v)
+              {
+                pressure +=
+                  shape.values[v] * solution.pressure.local_element(nodes[v]);
+                level_set += shape.values[v] * phi[v];
+                for (unsigned int d = 0; d < dim; ++d)
+                  gradient[d] +=
+                    solution.velocity.local_element(dim * nodes[v] + d) *
+                    shape.gradients[v];
+              }
+            const dealii::Tensor<1, dim> viscous =
+              -solution.fluids.at(level_set).viscosity *
+              ((gradient + transpose(gradient)) * normal_dS);
             for (unsigned int d = 0; d < dim; ++d)
-              gradient[d] += solution.velocity.local_element(dim * nodes[v] + d)
-                             * shape.gradients[v];
+              {
+                forces[d] += pressure * normal_dS[d];
+                forces[dim + d] += viscous[d];
+              }
           }
-          const dealii::Tensor<1, dim> viscous
-            = -solution.fluids.at(level_set).viscosity
-              * ((gradient + transpose(gradient)) * normal_dS);
-          for (unsigned int d = 0; d < dim; ++d)
-          {
-            forces[d] += pressure * normal_dS[d];
-            forces[dim + d] += viscous[d];
-          }
-        }
       }
 
 
-      std::vector<std::string> names;
+      std::vector<std::string>                names;
       std::vector<dealii::types::boundary_id> ids;
-      Schedule schedule;
-      CsvFile file;
+      Schedule                                schedule;
+      CsvFile                                 file;
     };
   } // namespace
 

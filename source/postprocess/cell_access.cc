@@ -23,8 +23,8 @@ namespace Thalweg
     phi.fill(-1.);
     if (solution.fluids.size() == 2)
       for (unsigned int v = 0; v < phi.size(); ++v)
-        phi[v]
-          = solution.level_set.local_element(solution.space.nodes(cell)[v]);
+        phi[v] =
+          solution.level_set.local_element(solution.space.nodes(cell)[v]);
     return phi;
   }
 
@@ -32,9 +32,9 @@ namespace Thalweg
   template <int dim>
   dealii::Point<dim>
   real_point(const typename CellGraph<dim>::Cell &cell,
-             const dealii::Point<dim> &xi)
+             const dealii::Point<dim>            &xi)
   {
-    const auto shape = Q1::values<dim>(xi);
+    const auto             shape = Q1::values<dim>(xi);
     dealii::Tensor<1, dim> point;
     for (unsigned int v = 0; v < shape.size(); ++v)
       point += shape[v] * cell.vertices[v];
@@ -47,33 +47,33 @@ namespace Thalweg
     /// Finds reference coordinates; returns whether @p point is in the cell.
     template <int dim>
     bool
-    find_in_cell(const Mesh<dim> &mesh,
-                 const unsigned int c,
+    find_in_cell(const Mesh<dim>          &mesh,
+                 const unsigned int        c,
                  const dealii::Point<dim> &point,
-                 dealii::Point<dim> &xi)
+                 dealii::Point<dim>       &xi)
     {
       const double tolerance = 1e-9;
-      const auto &cell       = mesh.graph().cell(c);
+      const auto  &cell      = mesh.graph().cell(c);
       if (cell.axis_parallel)
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          xi[d] = (point[d] - cell.vertices[0][d]) * cell.inverse_extent[d];
-      }
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            xi[d] = (point[d] - cell.vertices[0][d]) * cell.inverse_extent[d];
+        }
       else
-      {
-        const auto &iterator = mesh.graph().iterator(c);
-        if (!iterator->bounding_box().point_inside(point, 1e-6))
-          return false;
-        try
         {
-          xi = mesh.mapping().transform_real_to_unit_cell(iterator, point);
+          const auto &iterator = mesh.graph().iterator(c);
+          if (!iterator->bounding_box().point_inside(point, 1e-6))
+            return false;
+          try
+            {
+              xi = mesh.mapping().transform_real_to_unit_cell(iterator, point);
+            }
+          catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
+            {
+              // Newton's method may diverge only for points outside.
+              return false;
+            }
         }
-        catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
-        {
-          // Newton's method may diverge only for points outside.
-          return false;
-        }
-      }
       for (unsigned int d = 0; d < dim; ++d)
         if (!(xi[d] >= -tolerance && xi[d] <= 1. + tolerance))
           return false;
@@ -84,39 +84,39 @@ namespace Thalweg
 
   template <int dim>
   std::vector<LocatedPoint<dim>>
-  locate(const Mesh<dim> &mesh,
+  locate(const Mesh<dim>                       &mesh,
          const std::vector<dealii::Point<dim>> &points,
-         const std::string &what)
+         const std::string                     &what)
   {
-    using Index                 = dealii::types::global_cell_index;
-    const Index nobody          = std::numeric_limits<Index>::max();
-    const CellGraph<dim> &graph = mesh.graph();
+    using Index                           = dealii::types::global_cell_index;
+    const Index                    nobody = std::numeric_limits<Index>::max();
+    const CellGraph<dim>          &graph  = mesh.graph();
     std::vector<LocatedPoint<dim>> located(points.size());
-    std::vector<Index> candidates(points.size(), nobody);
+    std::vector<Index>             candidates(points.size(), nobody);
     for (std::size_t p = 0; p < points.size(); ++p)
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
         if (find_in_cell(mesh, c, points[p], located[p].xi))
-        {
-          located[p].cell = c;
-          candidates[p]   = graph.cell(c).global_index;
-          break;
-        }
+          {
+            located[p].cell = c;
+            candidates[p]   = graph.cell(c).global_index;
+            break;
+          }
 
     std::vector<Index> winners(points.size());
     dealii::Utilities::MPI::min(candidates,
                                 mesh.triangulation().get_communicator(),
                                 winners);
     for (std::size_t p = 0; p < points.size(); ++p)
-    {
-      if (winners[p] == nobody)
       {
-        std::ostringstream message;
-        message << what << " (" << points[p]
-                << ") lies outside the mesh; move it inside.";
-        AssertThrow(false, dealii::ExcMessage(message.str()));
+        if (winners[p] == nobody)
+          {
+            std::ostringstream message;
+            message << what << " (" << points[p]
+                    << ") lies outside the mesh; move it inside.";
+            AssertThrow(false, dealii::ExcMessage(message.str()));
+          }
+        located[p].is_here = winners[p] == candidates[p];
       }
-      located[p].is_here = winners[p] == candidates[p];
-    }
     return located;
   }
 

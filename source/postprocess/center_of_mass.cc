@@ -27,9 +27,9 @@ namespace Thalweg
         for (unsigned int f = 0; f < solution.fluids.size(); ++f)
           for (const std::string quantity : {"center", "velocity"})
             for (unsigned int d = 0; d < dim; ++d)
-              columns.push_back(solution.fluids[f].name + " " + quantity + " "
-                                + "xyz"[d]
-                                + (quantity == "center" ? " [m]" : " [m/s]"));
+              columns.push_back(solution.fluids[f].name + " " + quantity + " " +
+                                "xyz"[d] +
+                                (quantity == "center" ? " [m]" : " [m/s]"));
         file.open(context, "center_of_mass.csv", columns);
       }
 
@@ -39,7 +39,7 @@ namespace Thalweg
       {
         if (!schedule.is_due(solution.time, solution.last_step))
           return;
-        const auto phases = integrate_phases(solution);
+        const auto          phases = integrate_phases(solution);
         std::vector<double> row{solution.time};
         for (unsigned int f = 0; f < solution.fluids.size(); ++f)
           for (const auto &moment :
@@ -51,7 +51,7 @@ namespace Thalweg
 
     private:
       Schedule schedule;
-      CsvFile file;
+      CsvFile  file;
     };
   } // namespace
 

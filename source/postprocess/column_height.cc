@@ -44,8 +44,8 @@ namespace Thalweg
         AssertThrow(normal != vertical,
                     dealii::ExcMessage(
                       "The plane of the column height must be parallel to "
-                      "the 'Vertical direction': 'Plane normal' may not be "
-                      + vertical + " too."));
+                      "the 'Vertical direction': 'Plane normal' may not be " +
+                      vertical + " too."));
         file.open(context, "column_height.csv", {"time [s]", "height [m]"});
       }
 
@@ -60,17 +60,17 @@ namespace Thalweg
              phase_extent(solution,
                           axis_number(vertical),
                           1.,
-                          {axis_number(normal), position, position})
-               - floor});
+                          {axis_number(normal), position, position}) -
+               floor});
       }
 
     private:
       std::string normal   = "x";
-      double position      = 0.;
+      double      position = 0.;
       std::string vertical = "y";
-      double floor         = 0.;
-      Schedule schedule;
-      CsvFile file;
+      double      floor    = 0.;
+      Schedule    schedule;
+      CsvFile     file;
     };
   } // namespace
 

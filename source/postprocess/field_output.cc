@@ -33,7 +33,7 @@ namespace Thalweg
         if (!schedule.is_due(solution.time, solution.last_step))
           return;
         using namespace dealii::DataComponentInterpretation;
-        const Vector density = nodal_density(solution);
+        const Vector         density = nodal_density(solution);
         dealii::DataOut<dim> data;
         data.add_data_vector(solution.space.velocity(),
                              solution.velocity,
@@ -46,7 +46,7 @@ namespace Thalweg
         if (solution.fluids.size() == 2)
           data.add_data_vector(scalar, solution.level_set, "level_set");
 
-        const auto &mesh = solution.mesh.triangulation();
+        const auto           &mesh = solution.mesh.triangulation();
         dealii::Vector<float> subdomain(mesh.n_active_cells());
         subdomain = mesh.locally_owned_subdomain();
         data.add_data_vector(subdomain, "subdomain");
@@ -63,14 +63,14 @@ namespace Thalweg
         solution.space.initialize_scalar(density);
         for (unsigned int c = 0; c < solution.mesh.graph().n_cells(); ++c)
           for (const unsigned int node : solution.space.nodes(c))
-            density.local_element(node)
-              = solution.fluids.at(solution.level_set.local_element(node))
-                  .density;
+            density.local_element(node) =
+              solution.fluids.at(solution.level_set.local_element(node))
+                .density;
         return density;
       }
 
 
-      Schedule schedule{0.05};
+      Schedule  schedule{0.05};
       PvdRecord record;
     };
   } // namespace

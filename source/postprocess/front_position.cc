@@ -22,8 +22,8 @@ namespace Thalweg
                     "Where the front moves to; with a minus it is the least "
                     "coordinate that counts.",
                     dealii::Patterns::Selection(
-                      std::string(axis_names<dim>)
-                      + (dim == 2 ? "|-x|-y" : "|-x|-y|-z")));
+                      std::string(axis_names<dim>) +
+                      (dim == 2 ? "|-x|-y" : "|-x|-y|-z")));
         section.add("Band direction",
                     band_direction,
                     "",
@@ -42,8 +42,8 @@ namespace Thalweg
       void
       initialize(Context &context, const SolutionView<dim> &) override
       {
-        AssertThrow(limits.empty()
-                      || (limits.size() == 2 && limits[0] <= limits[1]),
+        AssertThrow(limits.empty() ||
+                      (limits.size() == 2 && limits[0] <= limits[1]),
                     dealii::ExcMessage(
                       "The 'Band' of the front position must be two "
                       "coordinates, the lesser one first, or empty."));
@@ -69,12 +69,12 @@ namespace Thalweg
       }
 
     private:
-      std::string direction      = "x";
-      std::string band_direction = "y";
+      std::string         direction      = "x";
+      std::string         band_direction = "y";
       std::vector<double> limits;
-      Schedule schedule;
-      Band band;
-      CsvFile file;
+      Schedule            schedule;
+      Band                band;
+      CsvFile             file;
     };
   } // namespace
 

@@ -33,7 +33,7 @@ namespace Thalweg
         if (!schedule.is_due(solution.time, solution.last_step))
           return;
         using namespace dealii::DataComponentInterpretation;
-        std::vector<std::string> names(dim, "velocity");
+        std::vector<std::string>                 names(dim, "velocity");
         std::vector<DataComponentInterpretation> interpretations(
           dim, component_is_part_of_vector);
         names.push_back("level_set");
@@ -47,7 +47,7 @@ namespace Thalweg
       }
 
     private:
-      Schedule schedule{0.05};
+      Schedule  schedule{0.05};
       PvdRecord record;
     };
   } // namespace

@@ -19,27 +19,27 @@ namespace Thalweg
     double
     extent_of_edge(const dealii::Point<dim> &a,
                    const dealii::Point<dim> &b,
-                   const unsigned int axis,
-                   const double sign,
-                   const Band &band)
+                   const unsigned int        axis,
+                   const double              sign,
+                   const Band               &band)
     {
-      double from = 0., to = 1.;
+      double       from = 0., to = 1.;
       const double start = a[band.axis];
       const double slope = b[band.axis] - start;
       if (slope == 0.)
-      {
-        if (start < band.lower || start > band.upper)
-          return nowhere;
-      }
+        {
+          if (start < band.lower || start > band.upper)
+            return nowhere;
+        }
       else
-      {
-        const double t0 = (band.lower - start) / slope;
-        const double t1 = (band.upper - start) / slope;
-        from            = std::max(from, std::min(t0, t1));
-        to              = std::min(to, std::max(t0, t1));
-        if (from > to)
-          return nowhere;
-      }
+        {
+          const double t0 = (band.lower - start) / slope;
+          const double t1 = (band.upper - start) / slope;
+          from            = std::max(from, std::min(t0, t1));
+          to              = std::min(to, std::max(t0, t1));
+          if (from > to)
+            return nowhere;
+        }
       const double length = b[axis] - a[axis];
       return std::max(sign * (a[axis] + from * length),
                       sign * (a[axis] + to * length));
@@ -50,11 +50,11 @@ namespace Thalweg
     /// and a linear function on a clipped simplex is greatest on its edges.
     template <int dim>
     double
-    extent_of_cell(const typename CellGraph<dim>::Cell &cell,
+    extent_of_cell(const typename CellGraph<dim>::Cell  &cell,
                    const std::array<double, (1 << dim)> &phi,
-                   const unsigned int axis,
-                   const double sign,
-                   const Band &band)
+                   const unsigned int                    axis,
+                   const double                          sign,
+                   const Band                           &band)
     {
       double extent = nowhere;
       for (const auto &simplex : SimplexCut::divide<dim>(phi))
@@ -78,25 +78,25 @@ namespace Thalweg
   template <int dim>
   double
   phase_extent(const SolutionView<dim> &solution,
-               const unsigned int axis,
-               const double sign,
-               const Band &band)
+               const unsigned int       axis,
+               const double             sign,
+               const Band              &band)
   {
-    const CellGraph<dim> &graph = solution.mesh.graph();
-    double extent               = nowhere;
+    const CellGraph<dim> &graph  = solution.mesh.graph();
+    double                extent = nowhere;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-    {
-      const auto &cell = graph.cell(c);
-      double reach     = nowhere;
-      for (const auto &vertex : cell.vertices)
-        reach = std::max(reach, sign * vertex[axis]);
-      if (reach <= extent)
-        continue;
-      const auto phi = cell_level_set(solution, c);
-      if (*std::min_element(phi.begin(), phi.end()) < 0.)
-        extent
-          = std::max(extent, extent_of_cell<dim>(cell, phi, axis, sign, band));
-    }
+      {
+        const auto &cell  = graph.cell(c);
+        double      reach = nowhere;
+        for (const auto &vertex : cell.vertices)
+          reach = std::max(reach, sign * vertex[axis]);
+        if (reach <= extent)
+          continue;
+        const auto phi = cell_level_set(solution, c);
+        if (*std::min_element(phi.begin(), phi.end()) < 0.)
+          extent =
+            std::max(extent, extent_of_cell<dim>(cell, phi, axis, sign, band));
+      }
     extent = dealii::Utilities::MPI::max(
       extent, solution.mesh.triangulation().get_communicator());
     return extent == nowhere ? std::numeric_limits<double>::quiet_NaN()

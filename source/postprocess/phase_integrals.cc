@@ -14,25 +14,25 @@ namespace Thalweg
     /// Adds the quadrature point @p xi with the reference weight @p weight.
     template <int dim>
     void
-    add_point(const SolutionView<dim> &solution,
-              const unsigned int c,
+    add_point(const SolutionView<dim>  &solution,
+              const unsigned int        c,
               const dealii::Point<dim> &xi,
-              const double weight,
-              PhaseIntegrals<dim> &integrals)
+              const double              weight,
+              PhaseIntegrals<dim>      &integrals)
     {
-      const auto &cell  = solution.mesh.graph().cell(c);
-      const auto &nodes = solution.space.nodes(c);
-      const auto point  = Q1::evaluate<dim>(cell,
+      const auto            &cell  = solution.mesh.graph().cell(c);
+      const auto            &nodes = solution.space.nodes(c);
+      const auto             point = Q1::evaluate<dim>(cell,
                                            Q1::values<dim>(xi),
                                            Q1::reference_gradients<dim>(xi));
       dealii::Tensor<1, dim> position, velocity;
       for (unsigned int v = 0; v < nodes.size(); ++v)
-      {
-        position += point.values[v] * cell.vertices[v];
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity[d] += point.values[v]
-                         * solution.velocity.local_element(dim * nodes[v] + d);
-      }
+        {
+          position += point.values[v] * cell.vertices[v];
+          for (unsigned int d = 0; d < dim; ++d)
+            velocity[d] += point.values[v] *
+                           solution.velocity.local_element(dim * nodes[v] + d);
+        }
       const double measure = weight * point.determinant;
       integrals.volume += measure;
       integrals.moment_of_position += measure * position;
@@ -42,10 +42,10 @@ namespace Thalweg
 
     template <int dim>
     void
-    add_cut_cell(const SolutionView<dim> &solution,
-                 const unsigned int c,
+    add_cut_cell(const SolutionView<dim>              &solution,
+                 const unsigned int                    c,
                  const std::array<double, (1 << dim)> &phi,
-                 std::array<PhaseIntegrals<dim>, 2> &integrals)
+                 std::array<PhaseIntegrals<dim>, 2>   &integrals)
     {
       for (const auto &simplex : SimplexCut::divide<dim>(phi))
         SimplexCut::cut(simplex, [&](const SimplexCut::Simplex<dim> &piece) {
@@ -60,20 +60,20 @@ namespace Thalweg
     template <int dim>
     void
     sum_over_ranks(std::array<PhaseIntegrals<dim>, 2> &integrals,
-                   const MPI_Comm communicator)
+                   const MPI_Comm                      communicator)
     {
       std::array<double, 2 * (2 * dim + 1)> numbers;
-      const auto exchange = [&](const auto &copy) {
+      const auto                            exchange = [&](const auto &copy) {
         unsigned int n = 0;
         for (auto &phase : integrals)
-        {
-          copy(numbers[n++], phase.volume);
-          for (unsigned int d = 0; d < dim; ++d)
           {
-            copy(numbers[n++], phase.moment_of_position[d]);
-            copy(numbers[n++], phase.moment_of_velocity[d]);
+            copy(numbers[n++], phase.volume);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                copy(numbers[n++], phase.moment_of_position[d]);
+                copy(numbers[n++], phase.moment_of_velocity[d]);
+              }
           }
-        }
       };
       exchange([](double &number, const double &value) { number = value; });
       dealii::Utilities::MPI::sum(
@@ -89,20 +89,20 @@ namespace Thalweg
   std::array<PhaseIntegrals<dim>, 2>
   integrate_phases(const SolutionView<dim> &solution)
   {
-    static const Q1::Gauss<dim> gauss;
-    const CellGraph<dim> &graph = solution.mesh.graph();
+    static const Q1::Gauss<dim>        gauss;
+    const CellGraph<dim>              &graph = solution.mesh.graph();
     std::array<PhaseIntegrals<dim>, 2> integrals;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-    {
-      const auto phi           = cell_level_set(solution, c);
-      const auto [least, most] = std::minmax_element(phi.begin(), phi.end());
-      if (*least < 0. && *most > 0.)
-        add_cut_cell(solution, c, phi, integrals);
-      else
-        for (const auto &xi : gauss.points)
-          add_point(
-            solution, c, xi, gauss.weight, integrals[*least < 0. ? 0 : 1]);
-    }
+      {
+        const auto phi           = cell_level_set(solution, c);
+        const auto [least, most] = std::minmax_element(phi.begin(), phi.end());
+        if (*least < 0. && *most > 0.)
+          add_cut_cell(solution, c, phi, integrals);
+        else
+          for (const auto &xi : gauss.points)
+            add_point(
+              solution, c, xi, gauss.weight, integrals[*least < 0. ? 0 : 1]);
+      }
     sum_over_ranks(integrals, solution.mesh.triangulation().get_communicator());
     return integrals;
   }

@@ -25,8 +25,8 @@ namespace Thalweg
       {
         std::vector<std::string> columns{"time [s]"};
         for (unsigned int f = 0; f < solution.fluids.size(); ++f)
-          columns.push_back(solution.fluids[f].name + " volume ["
-                            + length_unit(dim) + "]");
+          columns.push_back(solution.fluids[f].name + " volume [" +
+                            length_unit(dim) + "]");
         file.open(context, "phase_volume.csv", columns);
       }
 
@@ -36,7 +36,7 @@ namespace Thalweg
       {
         if (!schedule.is_due(solution.time, solution.last_step))
           return;
-        const auto phases = integrate_phases(solution);
+        const auto          phases = integrate_phases(solution);
         std::vector<double> row{solution.time};
         for (unsigned int f = 0; f < solution.fluids.size(); ++f)
           row.push_back(phases[f].volume);
@@ -45,7 +45,7 @@ namespace Thalweg
 
     private:
       Schedule schedule;
-      CsvFile file;
+      CsvFile  file;
     };
   } // namespace
 

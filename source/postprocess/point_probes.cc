@@ -34,14 +34,14 @@ namespace Thalweg
         locate(solution.mesh, points, "The point probe");
         std::vector<std::string> columns{"time [s]"};
         for (std::size_t p = 0; p < points.size(); ++p)
-        {
-          const std::string number = " " + std::to_string(p);
-          columns.push_back("pressure" + number + " [Pa]");
-          for (unsigned int d = 0; d < dim; ++d)
-            columns.push_back(std::string("velocity ") + "xyz"[d] + number
-                              + " [m/s]");
-          columns.push_back("level set" + number + " [m]");
-        }
+          {
+            const std::string number = " " + std::to_string(p);
+            columns.push_back("pressure" + number + " [Pa]");
+            for (unsigned int d = 0; d < dim; ++d)
+              columns.push_back(std::string("velocity ") + "xyz"[d] + number +
+                                " [m/s]");
+            columns.push_back("level set" + number + " [m]");
+          }
         file.open(context, "point_probes.csv", columns);
       }
 
@@ -67,25 +67,25 @@ namespace Thalweg
       static void
       evaluate(const SolutionView<dim> &solution,
                const LocatedPoint<dim> &point,
-               double *const values)
+               double *const            values)
       {
-        const auto shape  = Q1::values<dim>(point.xi);
+        const auto  shape = Q1::values<dim>(point.xi);
         const auto &nodes = solution.space.nodes(point.cell);
-        const auto phi    = cell_level_set(solution, point.cell);
+        const auto  phi   = cell_level_set(solution, point.cell);
         for (unsigned int v = 0; v < shape.size(); ++v)
-        {
-          values[0] += shape[v] * solution.pressure.local_element(nodes[v]);
-          for (unsigned int d = 0; d < dim; ++d)
-            values[1 + d]
-              += shape[v] * solution.velocity.local_element(dim * nodes[v] + d);
-          values[dim + 1] += shape[v] * phi[v];
-        }
+          {
+            values[0] += shape[v] * solution.pressure.local_element(nodes[v]);
+            for (unsigned int d = 0; d < dim; ++d)
+              values[1 + d] +=
+                shape[v] * solution.velocity.local_element(dim * nodes[v] + d);
+            values[dim + 1] += shape[v] * phi[v];
+          }
       }
 
 
       std::vector<dealii::Point<dim>> points;
-      Schedule schedule;
-      CsvFile file;
+      Schedule                        schedule;
+      CsvFile                         file;
     };
   } // namespace
 

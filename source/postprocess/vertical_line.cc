@@ -24,8 +24,8 @@ namespace Thalweg
     template <int dim>
     LineInSimplex<dim>
     enter(const std::array<dealii::Point<dim>, dim + 1> &corners,
-          const dealii::Point<dim> &origin,
-          const unsigned int axis)
+          const dealii::Point<dim>                      &origin,
+          const unsigned int                             axis)
     {
       dealii::Tensor<2, dim> edges;
       for (unsigned int i = 0; i < dim; ++i)
@@ -33,16 +33,16 @@ namespace Thalweg
           edges[d][i] = corners[i + 1][d] - corners[0][d];
       const dealii::Tensor<2, dim> inverse = invert(edges);
       const dealii::Tensor<1, dim> start   = inverse * (origin - corners[0]);
-      LineInSimplex<dim> line;
+      LineInSimplex<dim>           line;
       line.value[0] = 1.;
       line.slope[0] = 0.;
       for (unsigned int i = 0; i < dim; ++i)
-      {
-        line.value[i + 1] = start[i];
-        line.slope[i + 1] = inverse[i][axis];
-        line.value[0] -= start[i];
-        line.slope[0] -= inverse[i][axis];
-      }
+        {
+          line.value[i + 1] = start[i];
+          line.slope[i + 1] = inverse[i][axis];
+          line.value[0] -= start[i];
+          line.slope[0] -= inverse[i][axis];
+        }
       return line;
     }
 
@@ -51,8 +51,8 @@ namespace Thalweg
     void
     restrict_to_positive(const double value,
                          const double slope,
-                         double &from,
-                         double &to)
+                         double      &from,
+                         double      &to)
     {
       if (slope > 0.)
         from = std::max(from, -value / slope);
@@ -67,28 +67,28 @@ namespace Thalweg
     template <int dim>
     void
     add_simplex(const typename CellGraph<dim>::Cell &cell,
-                const SimplexCut::Simplex<dim> &simplex,
-                const dealii::Point<dim> &origin,
-                const unsigned int axis,
-                LineContent &content)
+                const SimplexCut::Simplex<dim>      &simplex,
+                const dealii::Point<dim>            &origin,
+                const unsigned int                   axis,
+                LineContent                         &content)
     {
       std::array<dealii::Point<dim>, dim + 1> corners;
       double from = std::numeric_limits<double>::max();
       double to   = -from;
       for (unsigned int i = 0; i <= dim; ++i)
-      {
-        corners[i] = real_point<dim>(cell, simplex.corners[i]);
-        from       = std::min(from, corners[i][axis] - origin[axis]);
-        to         = std::max(to, corners[i][axis] - origin[axis]);
-      }
+        {
+          corners[i] = real_point<dim>(cell, simplex.corners[i]);
+          from       = std::min(from, corners[i][axis] - origin[axis]);
+          to         = std::max(to, corners[i][axis] - origin[axis]);
+        }
       const auto line = enter<dim>(corners, origin, axis);
-      double phi = 0., phi_slope = 0.;
+      double     phi = 0., phi_slope = 0.;
       for (unsigned int i = 0; i <= dim; ++i)
-      {
-        restrict_to_positive(line.value[i], line.slope[i], from, to);
-        phi += line.value[i] * simplex.phi[i];
-        phi_slope += line.slope[i] * simplex.phi[i];
-      }
+        {
+          restrict_to_positive(line.value[i], line.slope[i], from, to);
+          phi += line.value[i] * simplex.phi[i];
+          phi_slope += line.slope[i] * simplex.phi[i];
+        }
       if (from >= to)
         return;
       content.length += to - from;
@@ -103,38 +103,38 @@ namespace Thalweg
     /// The line through exactly @p origin.
     template <int dim>
     LineContent
-    cut_shifted_line(const SolutionView<dim> &solution,
+    cut_shifted_line(const SolutionView<dim>  &solution,
                      const dealii::Point<dim> &origin,
-                     const unsigned int axis)
+                     const unsigned int        axis)
     {
       const CellGraph<dim> &graph = solution.mesh.graph();
-      LineContent content;
+      LineContent           content;
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      {
-        const auto &cell = graph.cell(c);
-        bool meets       = true;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (d != axis)
-          {
-            double lower = cell.vertices[0][d], upper = lower;
-            for (const auto &vertex : cell.vertices)
-            {
-              lower = std::min(lower, vertex[d]);
-              upper = std::max(upper, vertex[d]);
-            }
-            meets = meets && lower <= origin[d] && origin[d] <= upper;
-          }
-        if (meets)
-          for (const auto &simplex :
-               SimplexCut::divide<dim>(cell_level_set(solution, c)))
-            add_simplex<dim>(cell, simplex, origin, axis, content);
-      }
-      const MPI_Comm communicator
-        = solution.mesh.triangulation().get_communicator();
-      content.length
-        = dealii::Utilities::MPI::sum(content.length, communicator);
-      content.wet_length
-        = dealii::Utilities::MPI::sum(content.wet_length, communicator);
+        {
+          const auto &cell  = graph.cell(c);
+          bool        meets = true;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (d != axis)
+              {
+                double lower = cell.vertices[0][d], upper = lower;
+                for (const auto &vertex : cell.vertices)
+                  {
+                    lower = std::min(lower, vertex[d]);
+                    upper = std::max(upper, vertex[d]);
+                  }
+                meets = meets && lower <= origin[d] && origin[d] <= upper;
+              }
+          if (meets)
+            for (const auto &simplex :
+                 SimplexCut::divide<dim>(cell_level_set(solution, c)))
+              add_simplex<dim>(cell, simplex, origin, axis, content);
+        }
+      const MPI_Comm communicator =
+        solution.mesh.triangulation().get_communicator();
+      content.length =
+        dealii::Utilities::MPI::sum(content.length, communicator);
+      content.wet_length =
+        dealii::Utilities::MPI::sum(content.wet_length, communicator);
       content.top = dealii::Utilities::MPI::max(content.top, communicator);
       return content;
     }
@@ -143,33 +143,32 @@ namespace Thalweg
 
   template <int dim>
   LineContent
-  cut_line(const SolutionView<dim> &solution,
+  cut_line(const SolutionView<dim>  &solution,
            const dealii::Point<dim> &point,
-           const unsigned int axis)
+           const unsigned int        axis)
   {
     double size = 0.;
     for (unsigned int c = 0; c < solution.mesh.graph().n_owned_cells(); ++c)
-      size
-        = std::max(size, solution.mesh.graph().cell(c).vertices.back().norm());
-    const double shift
-      = 1e-9
-        * dealii::Utilities::MPI::max(
-          size, solution.mesh.triangulation().get_communicator());
+      size =
+        std::max(size, solution.mesh.graph().cell(c).vertices.back().norm());
+    const double shift =
+      1e-9 * dealii::Utilities::MPI::max(
+               size, solution.mesh.triangulation().get_communicator());
 
     LineContent best;
     for (unsigned int side = 0; side < (1u << dim); ++side)
-    {
-      if ((side >> axis) & 1u)
-        continue;
-      dealii::Point<dim> origin = point;
-      for (unsigned int d = 0; d < dim; ++d)
-        if (d != axis)
-          // Unequal in each direction, to stay off diagonals too.
-          origin[d] += ((side >> d) & 1u ? -1. : 1.) * (1. + .3 * d) * shift;
-      const LineContent content = cut_shifted_line(solution, origin, axis);
-      if (content.length > best.length * (1. + 1e-6))
-        best = content;
-    }
+      {
+        if ((side >> axis) & 1u)
+          continue;
+        dealii::Point<dim> origin = point;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (d != axis)
+            // Unequal in each direction, to stay off diagonals too.
+            origin[d] += ((side >> d) & 1u ? -1. : 1.) * (1. + .3 * d) * shift;
+        const LineContent content = cut_shifted_line(solution, origin, axis);
+        if (content.length > best.length * (1. + 1e-6))
+          best = content;
+      }
     return best;
   }
 

@@ -52,18 +52,18 @@ namespace Thalweg
                       "or take it off the list."));
         std::vector<std::string> columns{"time [s]"};
         for (std::size_t g = 0; g < positions.size(); ++g)
-        {
-          std::string place;
-          for (const double coordinate : positions[g])
-            place += dealii::Utilities::to_string(coordinate) + " ";
-          AssertThrow(
-            cut_line(solution, point(g), axis_number(vertical)).length > 0.,
-            dealii::ExcMessage("The water height gauge at " + place
-                               + "does not meet the mesh; move it inside."));
-          const std::string number = " " + std::to_string(g) + " [m]";
-          columns.push_back("wet height" + number);
-          columns.push_back("top" + number);
-        }
+          {
+            std::string place;
+            for (const double coordinate : positions[g])
+              place += dealii::Utilities::to_string(coordinate) + " ";
+            AssertThrow(
+              cut_line(solution, point(g), axis_number(vertical)).length > 0.,
+              dealii::ExcMessage("The water height gauge at " + place +
+                                 "does not meet the mesh; move it inside."));
+            const std::string number = " " + std::to_string(g) + " [m]";
+            columns.push_back("wet height" + number);
+            columns.push_back("top" + number);
+          }
         file.open(context, "water_height_gauges.csv", columns);
       }
 
@@ -75,12 +75,12 @@ namespace Thalweg
           return;
         std::vector<double> row{solution.time};
         for (std::size_t g = 0; g < positions.size(); ++g)
-        {
-          const LineContent content
-            = cut_line(solution, point(g), axis_number(vertical));
-          row.push_back(content.wet_length);
-          row.push_back(content.wet_length > 0. ? content.top - floor : 0.);
-        }
+          {
+            const LineContent content =
+              cut_line(solution, point(g), axis_number(vertical));
+            row.push_back(content.wet_length);
+            row.push_back(content.wet_length > 0. ? content.top - floor : 0.);
+          }
         file.write_row(context, row);
       }
 
@@ -90,7 +90,7 @@ namespace Thalweg
       point(const std::size_t g) const
       {
         dealii::Point<dim> point;
-        unsigned int n = 0;
+        unsigned int       n = 0;
         for (unsigned int d = 0; d < dim; ++d)
           if (d != axis_number(vertical))
             point[d] = positions[g][n++];
@@ -98,11 +98,11 @@ namespace Thalweg
       }
 
 
-      std::string vertical = "y";
+      std::string                      vertical = "y";
       std::vector<std::vector<double>> positions;
-      double floor = 0.;
-      Schedule schedule;
-      CsvFile file;
+      double                           floor = 0.;
+      Schedule                         schedule;
+      CsvFile                          file;
     };
   } // namespace
 

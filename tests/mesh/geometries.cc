@@ -26,7 +26,7 @@ namespace
     {
       const Section root(prm);
       geometry->declare_parameters(root);
-      std::string input;
+      std::string        input;
       std::istringstream lines(settings);
       for (std::string line; std::getline(lines, line);)
         input += "set " + line + "\n";
@@ -45,30 +45,30 @@ namespace
     error()
     {
       try
-      {
-        create();
-      }
+        {
+          create();
+        }
       catch (const std::exception &exception)
-      {
-        return Geometries::reason(exception);
-      }
+        {
+          return Geometries::reason(exception);
+        }
       return "";
     }
 
     double
     boundary_measure(const std::string &name) const
     {
-      double sum    = 0;
-      const auto id = geometry->boundary_names().at(name);
+      double     sum = 0;
+      const auto id  = geometry->boundary_names().at(name);
       for (const auto &face : mesh.active_face_iterators())
         if (face->at_boundary() && face->boundary_id() == id)
           sum += face->measure();
       return sum;
     }
 
-    dealii::ParameterHandler prm;
+    dealii::ParameterHandler       prm;
     std::unique_ptr<Geometry<dim>> geometry;
-    dealii::Triangulation<dim> mesh;
+    dealii::Triangulation<dim>     mesh;
   };
 
 
@@ -103,12 +103,12 @@ namespace
             const std::string &node  = "5 1 1 0")
   {
     return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n"
-           "1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n"
-           + node
-           + "\n6 2 1 0\n"
-             "$EndNodes\n$Elements\n6\n"
-             "1 1 2 7 1 1 4\n2 1 2 8 1 3 6\n3 1 2 8 1 1 2\n4 1 2 8 1 4 5\n"
-           + cells + "$EndElements\n";
+           "1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n" +
+           node +
+           "\n6 2 1 0\n"
+           "$EndNodes\n$Elements\n6\n"
+           "1 1 2 7 1 1 4\n2 1 2 8 1 3 6\n3 1 2 8 1 1 2\n4 1 2 8 1 4 5\n" +
+           cells + "$EndElements\n";
   }
 } // namespace
 
@@ -124,12 +124,12 @@ TEST(Box, HasSizeCellsAndNamedSidesIn2D)
   EXPECT_NEAR(box.boundary_measure("left"), 4., 1e-12);
   EXPECT_NEAR(box.boundary_measure("top"), 3., 1e-12);
   for (const auto &face : box.mesh.active_face_iterators())
-  {
-    if (face->at_boundary() && face->boundary_id() == 3)
     {
-      EXPECT_NEAR(face->center()[1], 4., 1e-12);
+      if (face->at_boundary() && face->boundary_id() == 3)
+        {
+          EXPECT_NEAR(face->center()[1], 4., 1e-12);
+        }
     }
-  }
 }
 
 
@@ -164,20 +164,20 @@ TEST(Box, CanBeDistributed)
 
 TEST(Divide, PutsLinesOnFixedPositionsAndSpreadsEvenly)
 {
-  const auto steps
-    = Geometries::divide(0., 1., {0.25, 1., 0.55, 0.25, -3.}, 0.1);
+  const auto steps =
+    Geometries::divide(0., 1., {0.25, 1., 0.55, 0.25, -3.}, 0.1);
   EXPECT_NEAR(std::accumulate(steps.begin(), steps.end(), 0.), 1., 1e-14);
-  double position = 0;
+  double           position = 0;
   std::set<double> missing{0.25, 0.55};
   for (const double step : steps)
-  {
-    EXPECT_GT(step, 0.08);
-    EXPECT_LT(step, 0.13);
-    position += step;
-    for (const double fixed : {0.25, 0.55})
-      if (std::abs(position - fixed) < 1e-12)
-        missing.erase(fixed);
-  }
+    {
+      EXPECT_GT(step, 0.08);
+      EXPECT_LT(step, 0.13);
+      position += step;
+      for (const double fixed : {0.25, 0.55})
+        if (std::abs(position - fixed) < 1e-12)
+          missing.erase(fixed);
+    }
   EXPECT_TRUE(missing.empty());
 }
 
@@ -195,18 +195,18 @@ TEST(BoxWithObstacles, CutsOutAndNamesObstacles)
   EXPECT_NEAR(box.boundary_measure("bottom"), 0.584 - 0.024, 1e-12);
   EXPECT_NEAR(box.boundary_measure("left"), 0.6, 1e-12);
   for (const auto &cell : box.mesh.active_cell_iterators())
-  {
-    const double ratio
-      = cell->extent_in_direction(0) / cell->extent_in_direction(1);
-    EXPECT_GT(ratio, 0.8);
-    EXPECT_LT(ratio, 1.25);
-  }
+    {
+      const double ratio =
+        cell->extent_in_direction(0) / cell->extent_in_direction(1);
+      EXPECT_GT(ratio, 0.8);
+      EXPECT_LT(ratio, 1.25);
+    }
 }
 
 
 TEST(BoxWithObstacles, WorksDistributedIn3DAndWithoutObstacles)
 {
-  Made<3> box("box with obstacles",
+  Made<3>                                         box("box with obstacles",
               "Cell size = 0.25\nObstacles = 0.5, 0, 0.25 : 0.75, 0.5, 0.75");
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
   box.geometry->create(mesh);
@@ -254,11 +254,11 @@ TEST(Generator, ExplainsWhatIsWrong)
 {
   EXPECT_TRUE(contains(Made<2>("generator", "Function = hyper_cub").error(),
                        "'hyper_cub' with the arguments"));
-  const std::string message
-    = Made<2>("generator",
-              "Function = subdivided_hyper_cube_with_simplices\n"
-              "Arguments = 2 : 0 : 1 : false")
-        .error();
+  const std::string message =
+    Made<2>("generator",
+            "Function = subdivided_hyper_cube_with_simplices\n"
+            "Arguments = 2 : 0 : 1 : false")
+      .error();
   EXPECT_TRUE(contains(message, "not implemented")) << message;
 }
 
@@ -266,9 +266,9 @@ TEST(Generator, ExplainsWhatIsWrong)
 TEST(File, KeepsIdsAndTakesNames)
 {
   const TemporaryFile file("a.msh", gmsh_file());
-  Made<2> mesh("file",
-               "File name = " + file.path
-                 + "\nScale = 0.1\nBoundary names = inlet:7, wall:8");
+  Made<2>             mesh("file",
+               "File name = " + file.path +
+                 "\nScale = 0.1\nBoundary names = inlet:7, wall:8");
   mesh.create();
   EXPECT_NEAR(dealii::GridTools::volume(mesh.mesh), 0.02, 1e-14);
   EXPECT_NEAR(mesh.boundary_measure("inlet"), 0.1, 1e-14);
@@ -298,16 +298,16 @@ TEST(File, ExplainsWhatIsWrong)
 
   const TemporaryFile twisted(
     "c.msh", gmsh_file("5 3 2 3 1 1 5 2 4\n6 3 2 4 1 2 3 6 5\n"));
-  const std::string message
-    = Made<2>("file", "File name = " + twisted.path).error();
+  const std::string message =
+    Made<2>("file", "File name = " + twisted.path).error();
   EXPECT_TRUE(contains(message, "inverted or distorted")) << message;
   EXPECT_TRUE(contains(message, "The first is cell 0 ")) << message;
 
   const TemporaryFile concave(
     "f.msh",
     gmsh_file("5 3 2 3 1 1 2 5 4\n6 3 2 4 1 2 3 6 5\n", "5 0.2 0.2 0"));
-  const std::string where
-    = Made<2>("file", "File name = " + concave.path).error();
+  const std::string where =
+    Made<2>("file", "File name = " + concave.path).error();
   EXPECT_TRUE(contains(where, "The first is cell 0 with its centre at"))
     << where;
 

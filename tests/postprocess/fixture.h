@@ -55,15 +55,15 @@ public:
 
   /// Sets component @p component of @p n_components at all nodes.
   void
-  set(Thalweg::Vector &vector,
-      const Function &function,
+  set(Thalweg::Vector   &vector,
+      const Function    &function,
       const unsigned int n_components = 1,
       const unsigned int component    = 0)
   {
     for (unsigned int c = 0; c < mesh.graph().n_cells(); ++c)
       for (unsigned int v = 0; v < (1u << dim); ++v)
-        vector.local_element(n_components * space->nodes(c)[v] + component)
-          = function(mesh.graph().cell(c).vertices[v]);
+        vector.local_element(n_components * space->nodes(c)[v] + component) =
+          function(mesh.graph().cell(c).vertices[v]);
   }
 
   Thalweg::SolutionView<dim>
@@ -74,15 +74,15 @@ public:
 
   /// Lets a postprocessor look once, at @p time, and returns it.
   std::unique_ptr<Thalweg::Postprocessor<dim>>
-  run(const std::string &model,
+  run(const std::string              &model,
       const std::vector<std::string> &settings = {},
-      const double time                        = 0.)
+      const double                    time     = 0.)
   {
     auto tool = Thalweg::Registry<Thalweg::Postprocessor<dim>>::entries()
                   .at(model)
                   .make();
     dealii::ParameterHandler own;
-    const Thalweg::Section root(own);
+    const Thalweg::Section   root(own);
     tool->declare_parameters(root);
     std::string input;
     for (const std::string &line : settings)
@@ -101,8 +101,8 @@ public:
   read(const std::string &name) const
   {
     MPI_Barrier(MPI_COMM_WORLD);
-    std::ifstream file(context.output_directory + "/" + name);
-    std::string header, line, row;
+    std::ifstream       file(context.output_directory + "/" + name);
+    std::string         header, line, row;
     std::vector<double> values;
     std::getline(file, header);
     while (std::getline(file, line))
@@ -115,14 +115,14 @@ public:
     return {header, values};
   }
 
-  dealii::ParameterHandler prm;
-  Thalweg::Context context;
-  Thalweg::MeshParameters<dim> parameters;
-  Thalweg::Fluids fluids;
-  Thalweg::Mesh<dim> mesh;
-  std::unique_ptr<Thalweg::NodeSpace<dim>> space;
+  dealii::ParameterHandler                  prm;
+  Thalweg::Context                          context;
+  Thalweg::MeshParameters<dim>              parameters;
+  Thalweg::Fluids                           fluids;
+  Thalweg::Mesh<dim>                        mesh;
+  std::unique_ptr<Thalweg::NodeSpace<dim>>  space;
   std::unique_ptr<Thalweg::Population<dim>> population;
-  Thalweg::Vector velocity, pressure, level_set;
+  Thalweg::Vector                           velocity, pressure, level_set;
 
 private:
   /// One directory for all processes.
@@ -130,11 +130,11 @@ private:
   directory()
   {
     static unsigned int n = 0;
-    const int root_process
-      = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, int(getpid()), 0);
-    context.output_directory = ::testing::TempDir() + "thalweg_"
-                               + std::to_string(root_process) + "_"
-                               + std::to_string(n++);
+    const int           root_process =
+      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, int(getpid()), 0);
+    context.output_directory = ::testing::TempDir() + "thalweg_" +
+                               std::to_string(root_process) + "_" +
+                               std::to_string(n++);
     std::filesystem::create_directories(context.output_directory);
   }
 };

@@ -8,7 +8,7 @@ namespace
   content(const std::string &path)
   {
     MPI_Barrier(MPI_COMM_WORLD);
-    std::ifstream file(path);
+    std::ifstream     file(path);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -31,27 +31,27 @@ namespace
   check_output()
   {
     State<dim> state({"subsection Refinement", "set Global levels = 3", "end"});
-    auto &handler                  = state.population->handler();
+    auto      &handler             = state.population->handler();
     const unsigned int n_particles = 3 * state.mesh.graph().n_owned_cells();
     for (unsigned int p = 0; p < n_particles; ++p)
-    {
-      const auto &cell = state.mesh.graph().iterator(p / 3);
-      dealii::Point<dim> xi;
-      for (unsigned int d = 0; d < dim; ++d)
-        xi[d] = 0.25 * (1 + p % 3);
-      dealii::Particles::Particle<dim> particle(
-        state.mesh.mapping().transform_unit_to_real_cell(cell, xi),
-        xi,
-        1000 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p);
-      auto inserted = handler.insert_particle(particle, cell);
-      inserted->set_properties(std::vector<double>(dim + 1, 0.5 * p));
-    }
+      {
+        const auto        &cell = state.mesh.graph().iterator(p / 3);
+        dealii::Point<dim> xi;
+        for (unsigned int d = 0; d < dim; ++d)
+          xi[d] = 0.25 * (1 + p % 3);
+        dealii::Particles::Particle<dim> particle(
+          state.mesh.mapping().transform_unit_to_real_cell(cell, xi),
+          xi,
+          1000 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p);
+        auto inserted = handler.insert_particle(particle, cell);
+        inserted->set_properties(std::vector<double>(dim + 1, 0.5 * p));
+      }
     handler.update_cached_numbers();
     const auto fields    = state.run("fields");
     const auto particles = state.run("particles");
 
     const std::string &directory = state.context.output_directory;
-    const std::string record     = content(directory + "/fields.pvd");
+    const std::string  record    = content(directory + "/fields.pvd");
     EXPECT_NE(record.find("file=\"fields/fields_0000."), std::string::npos)
       << record;
     EXPECT_FALSE(std::filesystem::exists(directory + "/fields.pvd.new"));
@@ -60,15 +60,15 @@ namespace
          {"velocity", "pressure", "level_set", "density", "subdomain"})
       EXPECT_NE(vtu.find("Name=\"" + name + "\""), std::string::npos) << name;
 
-    const std::string cloud
-      = content(directory + "/particles/particles_0000.0.vtu");
+    const std::string cloud =
+      content(directory + "/particles/particles_0000.0.vtu");
     for (const std::string name : {"id", "velocity", "level_set"})
       EXPECT_NE(cloud.find("Name=\"" + name + "\""), std::string::npos) << name;
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-    {
-      EXPECT_EQ(attribute(vtu, "NumberOfCells"), dim == 2 ? 64 : 512);
-      EXPECT_EQ(attribute(cloud, "NumberOfPoints"), dim == 2 ? 192 : 1536);
-    }
+      {
+        EXPECT_EQ(attribute(vtu, "NumberOfCells"), dim == 2 ? 64 : 512);
+        EXPECT_EQ(attribute(cloud, "NumberOfPoints"), dim == 2 ? 192 : 1536);
+      }
   }
 } // namespace
 
@@ -86,13 +86,13 @@ TEST(ParaviewOutputMpi, NamesTheDirectoryThatCannotBeCreated)
   context.output_directory = "/dev/null";
   Thalweg::PvdRecord record;
   try
-  {
-    record.open(context, "fields");
-    FAIL() << "A file is no directory.";
-  }
+    {
+      record.open(context, "fields");
+      FAIL() << "A file is no directory.";
+    }
   catch (const std::exception &exception)
-  {
-    EXPECT_NE(std::string(exception.what()).find("/dev/null/fields"),
-              std::string::npos);
-  }
+    {
+      EXPECT_NE(std::string(exception.what()).find("/dev/null/fields"),
+                std::string::npos);
+    }
 }

@@ -7,57 +7,57 @@
 
 namespace
 {
-  const std::vector<std::string> box_2d
-    = {"subsection Geometry",
-       "  subsection box",
-       "    set Upper corner = 2, 1",
-       "    set Repetitions = 4, 2",
-       "  end",
-       "end",
-       "subsection Refinement",
-       "  set Global levels = 2",
-       "  set Local levels = if(x < 0.6, 1, 0)",
-       "end"};
+  const std::vector<std::string> box_2d = {
+    "subsection Geometry",
+    "  subsection box",
+    "    set Upper corner = 2, 1",
+    "    set Repetitions = 4, 2",
+    "  end",
+    "end",
+    "subsection Refinement",
+    "  set Global levels = 2",
+    "  set Local levels = if(x < 0.6, 1, 0)",
+    "end"};
 
-  const std::vector<std::string> box_3d
-    = {"subsection Geometry",
-       "  subsection box",
-       "    set Upper corner = 2, 1, 1",
-       "    set Repetitions = 4, 2, 2",
-       "  end",
-       "end",
-       "subsection Refinement",
-       "  set Local levels = if(x < 0.6, 1, 0)",
-       "end"};
+  const std::vector<std::string> box_3d = {
+    "subsection Geometry",
+    "  subsection box",
+    "    set Upper corner = 2, 1, 1",
+    "    set Repetitions = 4, 2, 2",
+    "  end",
+    "end",
+    "subsection Refinement",
+    "  set Local levels = if(x < 0.6, 1, 0)",
+    "end"};
 
-  const std::vector<std::string> shell
-    = {"subsection Geometry",
-       "  set Model = generator",
-       "  subsection generator",
-       "    set Function = hyper_shell",
-       "    set Arguments = 0, 0 : 1 : 2 : 12 : true",
-       "  end",
-       "end",
-       "subsection Refinement",
-       "  set Global levels = 3",
-       "end"};
+  const std::vector<std::string> shell = {
+    "subsection Geometry",
+    "  set Model = generator",
+    "  subsection generator",
+    "    set Function = hyper_shell",
+    "    set Arguments = 0, 0 : 1 : 2 : 12 : true",
+    "  end",
+    "end",
+    "subsection Refinement",
+    "  set Global levels = 3",
+    "end"};
 
   template <int dim>
   std::string
-  complaint(State<dim> &state,
-            const std::string &model,
+  complaint(State<dim>                     &state,
+            const std::string              &model,
             const std::vector<std::string> &settings)
   {
     try
-    {
-      state.run(model, settings);
-    }
+      {
+        state.run(model, settings);
+      }
     catch (const dealii::ExceptionBase &exception)
-    {
-      std::ostringstream text;
-      exception.print_info(text);
-      return text.str();
-    }
+      {
+        std::ostringstream text;
+        exception.print_info(text);
+        return text.str();
+      }
     return "";
   }
 } // namespace
@@ -65,9 +65,9 @@ namespace
 
 TEST(Schedule, IsDueAtStartAtMultiplesAndAtTheEnd)
 {
-  Thalweg::Schedule schedule(0.1);
+  Thalweg::Schedule   schedule(0.1);
   std::vector<double> due;
-  double time = 0.;
+  double              time = 0.;
   for (unsigned int step = 0; step < 100; ++step, time += 0.01)
     if (schedule.is_due(time, step == 99))
       due.push_back(time);
@@ -219,11 +219,11 @@ TEST(WaterHeightGaugesMpi, MeasureLayers)
   const auto row = state.read("water_height_gauges.csv").second;
   ASSERT_EQ(row.size(), 9u);
   for (const unsigned int gauge : {0, 1, 2, 3})
-  {
-    EXPECT_GT(row[1 + 2 * gauge], 0.35);
-    EXPECT_LT(row[1 + 2 * gauge], 0.65);
-    EXPECT_NEAR(row[2 + 2 * gauge], 0.7875, 0.02);
-  }
+    {
+      EXPECT_GT(row[1 + 2 * gauge], 0.35);
+      EXPECT_LT(row[1 + 2 * gauge], 0.65);
+      EXPECT_NEAR(row[2 + 2 * gauge], 0.7875, 0.02);
+    }
 
   state.set(state.level_set, [](const auto &p) { return p[1] - 0.31; });
   state.run("water height gauges", {"Positions = 0; 1; 1.37; 2"});

@@ -36,15 +36,15 @@ namespace Thalweg
   template <int dim>
   dealii::Point<dim>
   real_point(const typename CellGraph<dim>::Cell &cell,
-             const dealii::Point<dim> &xi);
+             const dealii::Point<dim>            &xi);
 
   /// A point in a locally owned cell.
   template <int dim>
   struct LocatedPoint
   {
     /// Whether this process owns the point's cell: exactly one does.
-    bool is_here      = false;
-    unsigned int cell = 0;
+    bool               is_here = false;
+    unsigned int       cell    = 0;
     dealii::Point<dim> xi;
   };
 
@@ -56,9 +56,9 @@ namespace Thalweg
    */
   template <int dim>
   std::vector<LocatedPoint<dim>>
-  locate(const Mesh<dim> &mesh,
+  locate(const Mesh<dim>                       &mesh,
          const std::vector<dealii::Point<dim>> &points,
-         const std::string &what);
+         const std::string                     &what);
 } // namespace Thalweg
 
 #endif

@@ -10,9 +10,9 @@ namespace Thalweg
   /// The part of space between two planes that are normal to an axis.
   struct Band
   {
-    unsigned int axis = 0;
-    double lower      = -std::numeric_limits<double>::max();
-    double upper      = std::numeric_limits<double>::max();
+    unsigned int axis  = 0;
+    double       lower = -std::numeric_limits<double>::max();
+    double       upper = std::numeric_limits<double>::max();
   };
 
   /**
@@ -30,9 +30,9 @@ namespace Thalweg
   template <int dim>
   double
   phase_extent(const SolutionView<dim> &solution,
-               const unsigned int axis,
-               const double sign,
-               const Band &band);
+               const unsigned int       axis,
+               const double             sign,
+               const Band              &band);
 } // namespace Thalweg
 
 #endif

@@ -13,7 +13,7 @@ namespace Thalweg
   template <int dim>
   struct PhaseIntegrals
   {
-    double volume = 0.;                        ///< m^dim
+    double                 volume = 0.;        ///< m^dim
     dealii::Tensor<1, dim> moment_of_position; ///< of x dx, m^(dim+1)
     dealii::Tensor<1, dim> moment_of_velocity; ///< of v dx, m^(dim+1)/s
   };

@@ -35,16 +35,16 @@ namespace Thalweg
      */
     template <int dim, int spacedim>
     void
-    write(const Context &context,
+    write(const Context                           &context,
           dealii::DataOutInterface<dim, spacedim> &data,
-          const double time,
-          const unsigned int step);
+          const double                             time,
+          const unsigned int                       step);
 
   private:
     void
     write_record(const Context &context) const;
 
-    std::string name;
+    std::string                                 name;
     std::vector<std::pair<double, std::string>> files;
   };
 } // namespace Thalweg

@@ -21,9 +21,9 @@ namespace Thalweg
     const NodeSpace<dim>  &space;
     const Fluids          &fluids;
     const Population<dim> &population;
-    const Vector          &velocity;  ///< m/s, on space.velocity()
-    const Vector          &pressure;  ///< Pa, on space.scalar()
-    const Vector          &level_set; ///< negative in fluid 0, on space.scalar()
+    const Vector          &velocity; ///< m/s, on space.velocity()
+    const Vector          &pressure; ///< Pa, on space.scalar()
+    const Vector &level_set;         ///< negative in fluid 0, on space.scalar()
 
     double       time      = 0.; ///< s
     double       time_step = 0.; ///< s; 0 at the start

@@ -25,9 +25,9 @@ namespace Thalweg
    */
   template <int dim>
   LineContent
-  cut_line(const SolutionView<dim> &solution,
+  cut_line(const SolutionView<dim>  &solution,
            const dealii::Point<dim> &point,
-           const unsigned int axis);
+           const unsigned int        axis);
 } // namespace Thalweg
 
 #endif

@@ -16,10 +16,10 @@ namespace Thalweg
       declare_parameters(const Section &section) override
       {
         for (unsigned int d = 0; d < dim; ++d)
-        {
-          upper[d]       = 1.;
-          repetitions[d] = 1;
-        }
+          {
+            upper[d]       = 1.;
+            repetitions[d] = 1;
+          }
         section.add("Lower corner",
                     lower,
                     "m",
@@ -54,8 +54,8 @@ namespace Thalweg
       }
 
     private:
-      dealii::Point<dim> lower;
-      dealii::Point<dim> upper;
+      dealii::Point<dim>        lower;
+      dealii::Point<dim>        upper;
       std::vector<unsigned int> repetitions = std::vector<unsigned int>(dim, 1);
     };
   } // namespace

@@ -39,10 +39,10 @@ namespace Thalweg
           obstacles,
           "m",
           "Axis-parallel boxes that are cut out, each as 'least corner : "
-          "greatest corner', separated by semicolons, for example "
-            + std::string(dim == 2
-                            ? "'0.292, 0 : 0.316, 0.048; 0.4, 0 : 0.42, 0.02'."
-                            : "'0.66, 0, 0.29 : 0.82, 0.16, 0.69'."));
+          "greatest corner', separated by semicolons, for example " +
+            std::string(dim == 2
+                          ? "'0.292, 0 : 0.316, 0.048; 0.4, 0 : 0.42, 0.02'."
+                          : "'0.66, 0, 0.29 : 0.82, 0.16, 0.69'."));
       }
 
 
@@ -52,16 +52,16 @@ namespace Thalweg
         check();
         std::vector<std::vector<double>> steps;
         for (unsigned int d = 0; d < dim; ++d)
-        {
-          std::vector<double> faces;
-          for (const auto &[first, second] : obstacles)
           {
-            faces.push_back(first[d]);
-            faces.push_back(second[d]);
+            std::vector<double> faces;
+            for (const auto &[first, second] : obstacles)
+              {
+                faces.push_back(first[d]);
+                faces.push_back(second[d]);
+              }
+            steps.push_back(
+              Geometries::divide(lower[d], upper[d], faces, cell_size));
           }
-          steps.push_back(
-            Geometries::divide(lower[d], upper[d], faces, cell_size));
-        }
 
         dealii::Triangulation<dim> full;
         dealii::GridGenerator::subdivided_hyper_rectangle(full,
@@ -111,18 +111,18 @@ namespace Thalweg
                       "The 'Cell size' of the geometry 'box with obstacles' "
                       "must be greater than zero."));
         for (const auto &[first, second] : obstacles)
-        {
-          Geometries::check_corners(first, second, "The obstacle");
-          for (unsigned int d = 0; d < dim; ++d)
-            if (second[d] <= lower[d] || first[d] >= upper[d])
-            {
-              std::ostringstream message;
-              message << "The obstacle from (" << first << ") to (" << second
-                      << ") lies outside the box from (" << lower << ") to ("
-                      << upper << "); move it or leave it out.";
-              AssertThrow(false, dealii::ExcMessage(message.str()));
-            }
-        }
+          {
+            Geometries::check_corners(first, second, "The obstacle");
+            for (unsigned int d = 0; d < dim; ++d)
+              if (second[d] <= lower[d] || first[d] >= upper[d])
+                {
+                  std::ostringstream message;
+                  message << "The obstacle from (" << first << ") to ("
+                          << second << ") lies outside the box from (" << lower
+                          << ") to (" << upper << "); move it or leave it out.";
+                  AssertThrow(false, dealii::ExcMessage(message.str()));
+                }
+          }
       }
 
 
@@ -130,20 +130,20 @@ namespace Thalweg
       is_inside_obstacle(const dealii::Point<dim> &point) const
       {
         for (const auto &[first, second] : obstacles)
-        {
-          bool inside = true;
-          for (unsigned int d = 0; d < dim; ++d)
-            inside = inside && first[d] < point[d] && point[d] < second[d];
-          if (inside)
-            return true;
-        }
+          {
+            bool inside = true;
+            for (unsigned int d = 0; d < dim; ++d)
+              inside = inside && first[d] < point[d] && point[d] < second[d];
+            if (inside)
+              return true;
+          }
         return false;
       }
 
 
       dealii::Point<dim> lower;
       dealii::Point<dim> upper;
-      double cell_size = 0.1;
+      double             cell_size = 0.1;
       std::vector<std::pair<dealii::Point<dim>, dealii::Point<dim>>> obstacles;
     };
   } // namespace

@@ -22,8 +22,8 @@ namespace Thalweg
         section.add("File name",
                     file_name,
                     "",
-                    "The mesh, in a format that its extension tells: "
-                      + formats() + ".");
+                    "The mesh, in a format that its extension tells: " +
+                      formats() + ".");
         section.add("Scale",
                     scale,
                     "",
@@ -76,25 +76,25 @@ namespace Thalweg
       format() const
       {
         using Format = dealii::GridIn<dim>;
-        static const std::map<std::string, typename Format::Format> known
-          = {{"msh", Format::msh},
-             {"ucd", Format::ucd},
-             {"inp", Format::abaqus},
-             {"unv", Format::unv},
-             {"vtk", Format::vtk},
-             {"vtu", Format::vtu},
-             {"dbmesh", Format::dbmesh},
-             {"xda", Format::xda},
-             {"dat", Format::tecplot},
-             {"e", Format::exodusii}};
-        const auto dot   = file_name.rfind('.');
-        const auto entry = known.find(
-          dot == std::string::npos ? "" : file_name.substr(dot + 1));
+        static const std::map<std::string, typename Format::Format> known = {
+          {"msh", Format::msh},
+          {"ucd", Format::ucd},
+          {"inp", Format::abaqus},
+          {"unv", Format::unv},
+          {"vtk", Format::vtk},
+          {"vtu", Format::vtu},
+          {"dbmesh", Format::dbmesh},
+          {"xda", Format::xda},
+          {"dat", Format::tecplot},
+          {"e", Format::exodusii}};
+        const auto dot = file_name.rfind('.');
+        const auto entry =
+          known.find(dot == std::string::npos ? "" : file_name.substr(dot + 1));
         AssertThrow(entry != known.end(),
-                    dealii::ExcMessage(what()
-                                       + " has an extension that no mesh "
-                                         "format is known for. Known: "
-                                       + formats() + "."));
+                    dealii::ExcMessage(what() +
+                                       " has an extension that no mesh "
+                                       "format is known for. Known: " +
+                                       formats() + "."));
         return entry->second;
       }
 
@@ -102,38 +102,37 @@ namespace Thalweg
       void
       read(dealii::Triangulation<dim> &mesh) const
       {
-        const auto mesh_format = format();
+        const auto    mesh_format = format();
         std::ifstream stream(file_name);
         AssertThrow(stream,
                     dealii::ExcMessage(
-                      what()
-                      + " cannot be opened. Does it exist, and is its "
-                        "path right, seen from the directory where "
-                        "the program was started?"));
+                      what() + " cannot be opened. Does it exist, and is its "
+                               "path right, seen from the directory where "
+                               "the program was started?"));
         dealii::GridIn<dim> reader(mesh);
         try
-        {
-          if (mesh_format == dealii::GridIn<dim>::exodusii)
-            reader.read_exodusii(file_name);
-          else
-            reader.read(stream, mesh_format);
-        }
+          {
+            if (mesh_format == dealii::GridIn<dim>::exodusii)
+              reader.read_exodusii(file_name);
+            else
+              reader.read(stream, mesh_format);
+          }
         catch (const std::exception &exception)
-        {
-          const std::string reason = Geometries::reason(exception);
-          const std::string known  = "Something went wrong when making cell ";
-          if (const auto at = reason.find(known); at != std::string::npos)
-            Geometries::refuse_cell(what(),
-                                    std::to_string(std::stoi(
-                                      reason.substr(at + known.size()))));
-          AssertThrow(false,
-                      dealii::ExcMessage(
-                        what() + " cannot be read as a mesh in "
-                        + std::to_string(dim)
-                        + " dimensions. Is it complete, in ASCII, and made "
-                          "of cells of this dimension? deal.II says:\n"
-                        + reason));
-        }
+          {
+            const std::string reason = Geometries::reason(exception);
+            const std::string known  = "Something went wrong when making cell ";
+            if (const auto at = reason.find(known); at != std::string::npos)
+              Geometries::refuse_cell(what(),
+                                      std::to_string(std::stoi(
+                                        reason.substr(at + known.size()))));
+            AssertThrow(false,
+                        dealii::ExcMessage(
+                          what() + " cannot be read as a mesh in " +
+                          std::to_string(dim) +
+                          " dimensions. Is it complete, in ASCII, and made "
+                          "of cells of this dimension? deal.II says:\n" +
+                          reason));
+          }
       }
 
 
@@ -145,19 +144,19 @@ namespace Thalweg
         for (const auto &[number, id] : names)
           numbers += (numbers.empty() ? "" : ", ") + number;
         for (const auto &[name, id] : given_names)
-        {
-          AssertThrow(names.count(std::to_string(id)) > 0,
-                      dealii::ExcMessage(
-                        what() + " has no boundary " + std::to_string(id)
-                        + ", which 'Boundary names' calls '" + name
-                        + "'. It has: " + numbers + "."));
-          names[name] = id;
-        }
+          {
+            AssertThrow(names.count(std::to_string(id)) > 0,
+                        dealii::ExcMessage(
+                          what() + " has no boundary " + std::to_string(id) +
+                          ", which 'Boundary names' calls '" + name +
+                          "'. It has: " + numbers + "."));
+            names[name] = id;
+          }
       }
 
 
-      std::string file_name = "mesh.msh";
-      double scale          = 1.;
+      std::string                         file_name = "mesh.msh";
+      double                              scale     = 1.;
       std::map<std::string, unsigned int> given_names;
       mutable std::map<std::string, dealii::types::boundary_id> names;
     };

@@ -31,25 +31,25 @@ namespace Thalweg
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {
-        const std::string what = "The geometry '" + function + "'";
+        const std::string          what = "The geometry '" + function + "'";
         dealii::Triangulation<dim> mesh;
         try
-        {
-          dealii::GridGenerator::generate_from_name_and_arguments(mesh,
-                                                                  function,
-                                                                  arguments);
-        }
+          {
+            dealii::GridGenerator::generate_from_name_and_arguments(mesh,
+                                                                    function,
+                                                                    arguments);
+          }
         catch (const std::exception &exception)
-        {
-          AssertThrow(false,
-                      dealii::ExcMessage(
-                        what + " with the arguments '" + arguments
-                        + "' cannot be generated in " + std::to_string(dim)
-                        + " dimensions. Compare the function's name and "
+          {
+            AssertThrow(false,
+                        dealii::ExcMessage(
+                          what + " with the arguments '" + arguments +
+                          "' cannot be generated in " + std::to_string(dim) +
+                          " dimensions. Compare the function's name and "
                           "arguments with deal.II's documentation of "
-                          "GridGenerator; it says:\n"
-                        + Geometries::reason(exception)));
-        }
+                          "GridGenerator; it says:\n" +
+                          Geometries::reason(exception)));
+          }
         Geometries::copy_coarse_mesh(mesh, triangulation, what);
         names = Geometries::numbered_boundaries(mesh);
       }

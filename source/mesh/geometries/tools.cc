@@ -15,8 +15,8 @@ namespace Thalweg
     std::map<std::string, dealii::types::boundary_id>
     box_sides()
     {
-      static const char *const names[]
-        = {"left", "right", "bottom", "top", "front", "back"};
+      static const char *const names[] = {
+        "left", "right", "bottom", "top", "front", "back"};
       std::map<std::string, dealii::types::boundary_id> sides;
       for (unsigned int side = 0; side < 2 * dim; ++side)
         sides[names[side]] = side;
@@ -28,52 +28,52 @@ namespace Thalweg
     void
     check_corners(const dealii::Point<dim> &lower,
                   const dealii::Point<dim> &upper,
-                  const std::string &what)
+                  const std::string        &what)
     {
       for (unsigned int d = 0; d < dim; ++d)
         if (!(lower[d] < upper[d]))
-        {
-          std::ostringstream message;
-          message << what << " from (" << lower << ") to (" << upper
-                  << ") has no extent in direction "
-                  << "xyz"[d]
-                  << ": each coordinate of the first corner must be less "
-                     "than that of the second.";
-          AssertThrow(false, dealii::ExcMessage(message.str()));
-        }
+          {
+            std::ostringstream message;
+            message << what << " from (" << lower << ") to (" << upper
+                    << ") has no extent in direction "
+                    << "xyz"[d]
+                    << ": each coordinate of the first corner must be less "
+                       "than that of the second.";
+            AssertThrow(false, dealii::ExcMessage(message.str()));
+          }
     }
 
 
     template <int dim>
     void
     color_box(dealii::Triangulation<dim> &triangulation,
-              const dealii::Point<dim> &lower,
-              const dealii::Point<dim> &upper)
+              const dealii::Point<dim>   &lower,
+              const dealii::Point<dim>   &upper)
     {
       for (const auto &cell : triangulation.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary())
-          {
-            const dealii::Point<dim> center = cell->face(f)->center();
-            dealii::types::boundary_id id   = 2 * dim;
-            for (unsigned int d = 0; d < dim; ++d)
             {
-              const double tolerance = 1e-6 * cell->extent_in_direction(d);
-              if (std::abs(center[d] - lower[d]) < tolerance)
-                id = 2 * d;
-              else if (std::abs(center[d] - upper[d]) < tolerance)
-                id = 2 * d + 1;
+              const dealii::Point<dim>   center = cell->face(f)->center();
+              dealii::types::boundary_id id     = 2 * dim;
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  const double tolerance = 1e-6 * cell->extent_in_direction(d);
+                  if (std::abs(center[d] - lower[d]) < tolerance)
+                    id = 2 * d;
+                  else if (std::abs(center[d] - upper[d]) < tolerance)
+                    id = 2 * d + 1;
+                }
+              cell->face(f)->set_boundary_id(id);
             }
-            cell->face(f)->set_boundary_id(id);
-          }
     }
 
 
     std::vector<double>
-    divide(const double lower,
-           const double upper,
+    divide(const double        lower,
+           const double        upper,
            std::vector<double> fixed,
-           const double size)
+           const double        size)
     {
       const double tolerance = 1e-6 * std::min(size, upper - lower);
       std::sort(fixed.begin(), fixed.end());
@@ -85,11 +85,11 @@ namespace Thalweg
 
       std::vector<double> steps;
       for (std::size_t i = 1; i < lines.size(); ++i)
-      {
-        const double length = lines[i] - lines[i - 1];
-        const auto n = std::max<unsigned int>(1, std::lround(length / size));
-        steps.insert(steps.end(), n, length / n);
-      }
+        {
+          const double length = lines[i] - lines[i - 1];
+          const auto n = std::max<unsigned int>(1, std::lround(length / size));
+          steps.insert(steps.end(), n, length / n);
+        }
       return steps;
     }
 
@@ -109,12 +109,12 @@ namespace Thalweg
     refuse_cell(const std::string &what, const std::string &cell)
     {
       throw dealii::ExcMessage(
-        what
-        + " has inverted or distorted cells, whose volume is not positive "
-          "everywhere. The first is cell "
-        + cell
-        + " (counted from 0 without lines and, in 3D, surfaces). Repair the "
-          "mesh.");
+        what +
+        " has inverted or distorted cells, whose volume is not positive "
+        "everywhere. The first is cell " +
+        cell +
+        " (counted from 0 without lines and, in 3D, surfaces). Repair the "
+        "mesh.");
     }
 
     namespace
@@ -123,51 +123,51 @@ namespace Thalweg
       template <int dim>
       void
       check_cells(const dealii::Triangulation<dim> &mesh,
-                  const std::string &what)
+                  const std::string                &what)
       {
         using Info = dealii::GeometryInfo<dim>;
         for (const auto &cell : mesh.active_cell_iterators())
-        {
-          dealii::Point<dim> vertices[Info::vertices_per_cell];
-          for (const unsigned int v : cell->vertex_indices())
-            vertices[v] = cell->vertex(v);
-          dealii::Tensor<0, dim> determinants[Info::vertices_per_cell];
-          Info::alternating_form_at_vertices(vertices, determinants);
-          for (const double determinant : determinants)
-            if (determinant <= 1e-9 * std::pow(cell->diameter(), dim))
-            {
-              std::ostringstream text;
-              text << cell->index() << " with its centre at (" << cell->center()
-                   << ")";
-              refuse_cell(what, text.str());
-            }
-        }
+          {
+            dealii::Point<dim> vertices[Info::vertices_per_cell];
+            for (const unsigned int v : cell->vertex_indices())
+              vertices[v] = cell->vertex(v);
+            dealii::Tensor<0, dim> determinants[Info::vertices_per_cell];
+            Info::alternating_form_at_vertices(vertices, determinants);
+            for (const double determinant : determinants)
+              if (determinant <= 1e-9 * std::pow(cell->diameter(), dim))
+                {
+                  std::ostringstream text;
+                  text << cell->index() << " with its centre at ("
+                       << cell->center() << ")";
+                  refuse_cell(what, text.str());
+                }
+          }
       }
     } // namespace
 
     template <int dim>
     void
     copy_coarse_mesh(const dealii::Triangulation<dim> &source,
-                     dealii::Triangulation<dim> &target,
-                     const std::string &what)
+                     dealii::Triangulation<dim>       &target,
+                     const std::string                &what)
     {
       AssertThrow(source.n_active_cells() > 0,
-                  dealii::ExcMessage(what + " has no cells in "
-                                     + std::to_string(dim)
-                                     + " dimensions. Does the parameter "
-                                       "'Dimension' fit the mesh?"));
+                  dealii::ExcMessage(what + " has no cells in " +
+                                     std::to_string(dim) +
+                                     " dimensions. Does the parameter "
+                                     "'Dimension' fit the mesh?"));
       AssertThrow(source.all_reference_cells_are_hyper_cube(),
                   dealii::ExcMessage(
-                    what + " has cells that are not "
-                    + (dim == 2 ? "quadrilaterals" : "hexahedra")
-                    + ", which are the only ones supported. Let the mesh "
-                      "generator recombine or divide them (in Gmsh: "
-                      "'Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = "
-                    + (dim == 2 ? "1" : "2") + ";')."));
+                    what + " has cells that are not " +
+                    (dim == 2 ? "quadrilaterals" : "hexahedra") +
+                    ", which are the only ones supported. Let the mesh "
+                    "generator recombine or divide them (in Gmsh: "
+                    "'Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = " +
+                    (dim == 2 ? "1" : "2") + ";')."));
       AssertThrow(source.n_levels() == 1,
-                  dealii::ExcMessage(what
-                                     + " is refined, but a coarse mesh must "
-                                       "not be; refine in 'Refinement'."));
+                  dealii::ExcMessage(what +
+                                     " is refined, but a coarse mesh must "
+                                     "not be; refine in 'Refinement'."));
       check_cells(source, what);
       target.copy_triangulation(source);
     }
@@ -176,8 +176,8 @@ namespace Thalweg
     std::string
     reason(const std::exception &exception)
     {
-      const auto *const detailed
-        = dynamic_cast<const dealii::ExceptionBase *>(&exception);
+      const auto *const detailed =
+        dynamic_cast<const dealii::ExceptionBase *>(&exception);
       if (detailed == nullptr)
         return exception.what();
       std::ostringstream text;
@@ -195,7 +195,7 @@ namespace Thalweg
                           const dealii::Point<dim> &,                          \
                           const dealii::Point<dim> &);                         \
   template std::map<std::string, dealii::types::boundary_id>                   \
-  numbered_boundaries(const dealii::Triangulation<dim> &);                     \
+                numbered_boundaries(const dealii::Triangulation<dim> &);       \
   template void copy_coarse_mesh(const dealii::Triangulation<dim> &,           \
                                  dealii::Triangulation<dim> &,                 \
                                  const std::string &);

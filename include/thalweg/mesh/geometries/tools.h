@@ -27,7 +27,7 @@ namespace Thalweg
     void
     check_corners(const dealii::Point<dim> &lower,
                   const dealii::Point<dim> &upper,
-                  const std::string &what);
+                  const std::string        &what);
 
     /**
      * @brief Numbers the boundary faces: those on a side of the box from
@@ -36,8 +36,8 @@ namespace Thalweg
     template <int dim>
     void
     color_box(dealii::Triangulation<dim> &triangulation,
-              const dealii::Point<dim> &lower,
-              const dealii::Point<dim> &upper);
+              const dealii::Point<dim>   &lower,
+              const dealii::Point<dim>   &upper);
 
     /**
      * @brief The sizes of the intervals of a grid line from @p lower to
@@ -48,10 +48,10 @@ namespace Thalweg
      * of @p size, do not count.
      */
     std::vector<double>
-    divide(const double lower,
-           const double upper,
+    divide(const double        lower,
+           const double        upper,
            std::vector<double> fixed,
-           const double size);
+           const double        size);
 
     /// The ids at the boundary of @p triangulation, each named by its number.
     template <int dim>
@@ -70,8 +70,8 @@ namespace Thalweg
     template <int dim>
     void
     copy_coarse_mesh(const dealii::Triangulation<dim> &source,
-                     dealii::Triangulation<dim> &target,
-                     const std::string &what);
+                     dealii::Triangulation<dim>       &target,
+                     const std::string                &what);
 
     /// Throws a message that cell number @p cell of the mesh @p what is
     /// inverted.

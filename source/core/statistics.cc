@@ -73,10 +73,11 @@ namespace Thalweg
             for (std::size_t c = 0; c < columns.size(); ++c)
               file << (c > 0 ? "," : "") << columns[c];
             file << '\n';
+            n_columns_in_file = columns.size();
           }
         header_written = true;
         file << std::setprecision(12);
-        for (std::size_t c = 0; c < columns.size(); ++c)
+        for (std::size_t c = 0; c < n_columns_in_file; ++c)
           {
             file << (c > 0 ? "," : "");
             if (const auto entry = row.find(columns[c]); entry != row.end())

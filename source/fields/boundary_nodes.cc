@@ -235,7 +235,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  BoundaryNodes<dim>::add_flux(Vector &scalar) const
+  BoundaryNodes<dim>::add_flux(const double factor, Vector &scalar) const
   {
     const CellGraph<dim>  &graph = space.mesh().graph();
     dealii::Vector<double> value(dim);
@@ -257,7 +257,7 @@ namespace Thalweg
               flux += value[d] * face.normals_times_weight[q][d];
             for (unsigned int v = 0; v < shape.size(); ++v)
               scalar.local_element(space.nodes(face.cell)[v]) +=
-                shape[v] * flux;
+                factor * shape[v] * flux;
           }
       }
   }

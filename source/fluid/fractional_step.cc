@@ -97,8 +97,7 @@ namespace Thalweg
                                   const double            dt)
   {
     force = 0.;
-    pressure_system->add_gradient(pressure, force);
-    force *= -1.;
+    pressure_system->subtract_gradient(pressure, force);
     if (with_forces && forces->has_density())
       {
         const CellGraph<dim> &graph = space->mesh().graph();

@@ -185,8 +185,7 @@ namespace Thalweg
         if (!with_forces && !subtract_pressure)
           continue;
         residual = 0.;
-        boundary.add_flux(residual);
-        residual *= -1. / dt;
+        boundary.add_flux(-1. / dt, residual);
         for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
           {
             const auto &cell  = graph.cell(c);
@@ -322,8 +321,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  PressureSystem<dim>::add_gradient(const EnrichedPressure &pressure,
-                                    Vector                 &force) const
+  PressureSystem<dim>::subtract_gradient(const EnrichedPressure &pressure,
+                                         Vector &force) const
   {
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
@@ -342,7 +341,7 @@ namespace Thalweg
                 pressure.star[cut_index];
         for (unsigned int v = 0; v < nodes.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
-            force.local_element(dim * nodes[v] + d) += result[dim * v + d];
+            force.local_element(dim * nodes[v] + d) -= result[dim * v + d];
       }
   }
 

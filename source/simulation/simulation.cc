@@ -228,8 +228,11 @@ namespace Thalweg
     const auto postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->initialize(context, view());
-    for (Postprocessor<dim> *postprocessor : postprocessors)
-      postprocessor->execute(context, view());
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
+      for (Postprocessor<dim> *postprocessor : postprocessors)
+        postprocessor->execute(context, view());
+    }
 
     double old_dt = none;
     while (!parameters.time.is_over(time, step))

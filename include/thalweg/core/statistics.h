@@ -1,6 +1,7 @@
 #ifndef thalweg_core_statistics_h
 #define thalweg_core_statistics_h
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,7 +14,8 @@ namespace Thalweg
    *
    * Columns are named with their unit, "time [s]". All columns must be set
    * before the first row ends; later rows keep the first row's header, and a
-   * column that is not set in a row stays empty.
+   * column that is not set in a row stays empty; one that is set later for the
+   * first time is not written.
    */
   class Statistics
   {
@@ -52,7 +54,8 @@ namespace Thalweg
     std::vector<std::string>      columns;
     std::map<std::string, double> row;
     std::map<std::string, double> last_row;
-    bool                          header_written = false;
+    bool                          header_written    = false;
+    std::size_t                   n_columns_in_file = 0;
   };
 } // namespace Thalweg
 

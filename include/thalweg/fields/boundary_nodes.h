@@ -34,12 +34,12 @@ namespace Thalweg
     project(Vector &velocity) const;
 
     /**
-     * @brief Adds the integral of N_i (V_D . n) over the boundaries with
-     * a given velocity to @p scalar (this rank's cells; not yet folded).
-     * @param scalar m^dim/s
+     * @brief Adds @p factor times the integral of N_i (V_D . n) in m^dim/s
+     * over the boundaries with a given velocity to @p scalar (this rank's
+     * cells; not yet folded).
      */
     void
-    add_flux(Vector &scalar) const;
+    add_flux(const double factor, Vector &scalar) const;
 
     /// A face at the boundary, with two to eight points for integrals.
     struct Face

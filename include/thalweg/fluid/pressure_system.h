@@ -75,9 +75,9 @@ namespace Thalweg
             const double      tolerance,
             const unsigned int maximal_iterations);
 
-    /// Adds int N_i grad p in N, of this rank's cells; not folded.
+    /// Subtracts int N_i grad p in N, of this rank's cells; not folded.
     void
-    add_gradient(const EnrichedPressure &pressure, Vector &force) const;
+    subtract_gradient(const EnrichedPressure &pressure, Vector &force) const;
 
     /// Sets the nodes at open boundaries to their value.
     void

@@ -13,13 +13,33 @@ namespace Thalweg
 {
   namespace
   {
+    /// Differences of reference coordinates that say nothing: decisions must
+    /// not depend on them, else runs on other numbers of ranks, which differ
+    /// by round-off, part ways where particles stand symmetrically.
+    constexpr double round_off = 1e-6;
+
+    /// A total order of points that does not see round-off.
+    template <int dim>
+    bool
+    stands_before(const dealii::Point<dim> &a, const dealii::Point<dim> &b)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const long i = std::lround(a[d] / round_off);
+          const long j = std::lround(b[d] / round_off);
+          if (i != j)
+            return i < j;
+        }
+      return false;
+    }
+
     template <int dim>
     unsigned int
     sub_cell(const dealii::Point<dim> &reference)
     {
       unsigned int index = 0;
       for (unsigned int d = 0; d < dim; ++d)
-        index += (reference[d] >= 0.5 ? 1u : 0u) << d;
+        index += (reference[d] >= 0.5 - round_off ? 1u : 0u) << d;
       return index;
     }
 
@@ -99,18 +119,20 @@ namespace Thalweg
       {
         double nearest       = std::numeric_limits<double>::max();
         unsigned int removed = 0;
+        const auto   choose  = [&](const unsigned int i, const unsigned int j) {
+          const double distance = points[i].distance(points[j]);
+          if (distance > nearest + round_off)
+            return;
+          const unsigned int later = stands_before(points[i], points[j]) ? j : i;
+          if (distance < nearest - round_off ||
+              stands_before(points[removed], points[later]))
+            removed = later;
+          nearest = std::min(nearest, distance);
+        };
         for (unsigned int i = 0; i < points.size(); ++i)
           for (unsigned int j = 0; j < i; ++j)
             if (!is_removed[i] && !is_removed[j])
-            {
-              const double distance = points[i].distance_square(points[j]);
-              if (distance < nearest)
-              {
-                nearest = distance;
-                removed
-                  = particles[i]->get_id() > particles[j]->get_id() ? i : j;
-              }
-            }
+              choose(i, j);
         is_removed[removed] = true;
       }
     };

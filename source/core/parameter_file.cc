@@ -1,4 +1,5 @@
 #include <thalweg/core/declared.h>
+#include <thalweg/core/errors.h>
 #include <thalweg/core/parameter_file.h>
 #include <thalweg/core/pattern_words.h>
 #include <thalweg/core/spelling.h>
@@ -54,37 +55,6 @@ namespace Thalweg
     }
 
 
-    /// What is wrong with the value of @p entry, or nothing.
-    std::string
-    value_fault(const InputEntry &entry, const DeclaredParameter &parameter)
-    {
-      // The factory cannot read nested lists; set() checks those.
-      if (parameter.pattern.find("[List", 1) != std::string::npos ||
-          parameter.pattern.find("[Tuple") != std::string::npos)
-        return "";
-      const auto pattern = dealii::Patterns::pattern_factory(parameter.pattern);
-      if (pattern->match(entry.value))
-        return "";
-      return entry.place + ": '" + entry.path + "' is '" + entry.value +
-             "', but must be " + in_words(*pattern) +
-             did_you_mean(nearest_in(*pattern, entry.value));
-    }
-
-
-    /// What is wrong with one setting, or nothing.
-    std::string
-    entry_fault(const InputEntry &entry, const Declared &declared)
-    {
-      if (const DeclaredParameter *parameter = declared.parameter(entry.path))
-        return value_fault(entry, *parameter);
-      const std::string section = parent_of(entry.path);
-      if (!entry.file.empty() && !section.empty() &&
-          !declared.has_section(section))
-        return "";
-      return unknown_parameter(entry, declared);
-    }
-
-
     /// The settings in @p entries that repeat an earlier one at the same
     /// level.
     std::vector<std::string>
@@ -107,7 +77,7 @@ namespace Thalweg
     }
 
 
-    /// Sets the parameter of @p entry.
+    /// Sets the parameter of @p entry, which exists.
     void
     set(dealii::ParameterHandler &prm, const InputEntry &entry)
     {
@@ -118,11 +88,57 @@ namespace Thalweg
           prm.enter_subsection(section);
           sections.push_back(section);
         }
-      prm.set(leaf_of(entry.path), entry.value);
-      for (std::size_t i = 0; i < sections.size(); ++i)
-        prm.leave_subsection();
+      const auto leave = [&]() {
+        for (std::size_t i = 0; i < sections.size(); ++i)
+          prm.leave_subsection();
+      };
+      try
+        {
+          prm.set(leaf_of(entry.path), entry.value);
+        }
+      catch (...)
+        {
+          leave();
+          throw;
+        }
+      leave();
+    }
+
+
+
+    /// Sets the parameter of @p entry, or says what is wrong with it.
+    std::string
+    set_or_fault(dealii::ParameterHandler &prm,
+                 const InputEntry         &entry,
+                 const Declared           &declared)
+    {
+      const DeclaredParameter *parameter = declared.parameter(entry.path);
+      const std::string        section   = parent_of(entry.path);
+      if (parameter == nullptr)
+        // The fault of an unknown section in a file is told only once.
+        return entry.file.empty() || section.empty() ||
+                   declared.has_section(section)
+                 ? unknown_parameter(entry, declared)
+                 : "";
+      const std::string what =
+        entry.place + ": '" + entry.path + "' is '" + entry.value + "', but ";
+      try
+        {
+          set(prm, entry);
+        }
+      catch (const dealii::ParameterHandler::ExcValueDoesNotMatchPattern &)
+        {
+          return what + "must be " + in_words(parameter->pattern) +
+                 did_you_mean(nearest_in(parameter->pattern, entry.value));
+        }
+      catch (const std::exception &exception)
+        {
+          return what + "that cannot be used: " + message_of(exception);
+        }
+      return "";
     }
   } // namespace
+
 
 
   ParameterFile::ParameterFile(const std::string &path)
@@ -164,7 +180,7 @@ namespace Thalweg
 
 
   std::vector<std::string>
-  ParameterFile::check(const dealii::ParameterHandler &prm) const
+  ParameterFile::apply(dealii::ParameterHandler &prm) const
   {
     const Declared           declared(prm);
     std::vector<std::string> faults = lines.faults;
@@ -175,7 +191,7 @@ namespace Thalweg
     for (const auto *entries : {&lines.entries, &overrides})
       {
         for (const InputEntry &entry : *entries)
-          if (const std::string fault = entry_fault(entry, declared);
+          if (const std::string fault = set_or_fault(prm, entry, declared);
               !fault.empty())
             faults.push_back(fault);
         add(repeated(*entries));
@@ -183,18 +199,6 @@ namespace Thalweg
     return faults;
   }
 
-
-  std::vector<std::string>
-  ParameterFile::apply(dealii::ParameterHandler &prm) const
-  {
-    const Declared declared(prm);
-    for (const auto *entries : {&lines.entries, &overrides})
-      for (const InputEntry &entry : *entries)
-        if (const DeclaredParameter *parameter = declared.parameter(entry.path))
-          if (value_fault(entry, *parameter).empty())
-            set(prm, entry);
-    return check(prm);
-  }
 
 
   void

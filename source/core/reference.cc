@@ -13,9 +13,8 @@ namespace Thalweg
     void
     print_parameter(std::ostream &out, const DeclaredParameter &parameter)
     {
-      const auto pattern = dealii::Patterns::pattern_factory(parameter.pattern);
-      out << "- **" << leaf_of(parameter.path) << "**: " << in_words(*pattern)
-          << "; default: "
+      out << "- **" << leaf_of(parameter.path)
+          << "**: " << in_words(parameter.pattern) << "; default: "
           << (parameter.default_value.empty()
                 ? "empty"
                 : "`" + parameter.default_value + "`")
@@ -55,8 +54,8 @@ namespace Thalweg
       out << "# Parameters\n\n"
           << "This page is made by `contrib/update_parameters` out of the "
              "program itself.\nThe headings are the paths of the sections: "
-             "`Fluids/Water` is the subsection\n`Water` in the section "
-             "`Fluids`. Defaults are those of two dimensions.\n";
+             "`Geometry/box` is the subsection\n`box` in the section "
+             "`Geometry`. Defaults are those of two dimensions.\n";
       print_section(out, declared, "");
       for (const std::string &section : declared.sections)
         if (std::any_of(declared.parameters.begin(),

@@ -67,6 +67,16 @@ namespace Thalweg
     }
 
 
+    std::string
+    processes(const MPI_Comm communicator)
+    {
+      const unsigned int n =
+        dealii::Utilities::MPI::n_mpi_processes(communicator);
+      return n == 1 ? "1 process" : std::to_string(n) + " processes";
+    }
+
+
+
     template <int dim>
     int
     run(const MPI_Comm       communicator,
@@ -106,8 +116,12 @@ namespace Thalweg
           "output/" + std::filesystem::path(options.file).stem().string();
       prepare_run_directory(context, directory, options.file, prm);
 
+      context.log.line("Thalweg " THALWEG_VERSION ", " +
+                       processes(communicator) + "; results go to " +
+                       directory + "/");
       Simulation<dim> simulation(communicator, parameters, context);
       simulation.run();
+      context.log.line("The results are in " + directory + "/");
       return 0;
     }
   } // namespace

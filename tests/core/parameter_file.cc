@@ -214,12 +214,12 @@ TEST_F(ParameterFileTest, IncludesFilesBesideItself)
 
   std::ofstream(directory / "base" / "c.prm") << "include c.prm\n";
   std::vector<std::string> faults =
-    ParameterFile((directory / "base" / "c.prm").string()).check(prm);
+    ParameterFile((directory / "base" / "c.prm").string()).apply(prm);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults[0].find("includes itself"), std::string::npos) << faults[0];
 
   fs::remove(directory / "base" / "c.prm");
-  faults = ParameterFile((directory / "a.prm").string()).check(prm);
+  faults = ParameterFile((directory / "a.prm").string()).apply(prm);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_NE(faults[0].find("b.prm:1: cannot read the input file"),
             std::string::npos)

@@ -8,16 +8,13 @@ using namespace dealii::Patterns;
 
 namespace
 {
-  /// The words for @p pattern, which must be the same for the pattern that
-  /// deal.II makes out of its description.
   std::string
   words(const PatternBase &pattern)
   {
-    const std::string direct = in_words(pattern);
-    EXPECT_EQ(in_words(*pattern_factory(pattern.description())), direct);
-    return direct;
+    return in_words(pattern.description());
   }
 } // namespace
+
 
 
 TEST(PatternWords, Numbers)
@@ -54,16 +51,35 @@ TEST(PatternWords, Lists)
             "is at least 1");
   EXPECT_EQ(words(List(Selection("a|b"))),
             "items separated by commas, each 'a' or 'b'");
+  EXPECT_EQ(words(List(Anything())), "items separated by commas");
   EXPECT_EQ(words(List(Double(), 1)),
             "at least 1 items separated by commas, each a number");
 }
 
 
+TEST(PatternWords, NestedOnes)
+{
+  // deal.II's pattern_factory() ends in a segmentation fault over this one.
+  const List point(Double(), 2, 2);
+  EXPECT_EQ(words(List(Tuple(":", point, point), 0, 5, ";")),
+            "0 to 5 items separated by semicolons, each 2 parts separated by "
+            "colons, each 2 items separated by commas, each a number");
+  EXPECT_EQ(words(Tuple(";", Anything(), Integer(0))),
+            "2 parts separated by semicolons: any text; a whole number that "
+            "is at least 0");
+  EXPECT_EQ(words(Map(Anything(), Integer())),
+            "items 'KEY:VALUE' separated by commas, KEY being any text and "
+            "VALUE a whole number");
+}
+
+
+
 TEST(PatternWords, NearestName)
 {
-  EXPECT_EQ(nearest_in(Selection("box|file"), "bxo"), "box");
-  EXPECT_EQ(nearest_in(List(Selection("front|forces|probes")), "front, prbes"),
+  EXPECT_EQ(nearest_in(Selection("box|file").description(), "bxo"), "box");
+  EXPECT_EQ(nearest_in(List(Selection("front|forces|probes")).description(),
+                       "front, prbes"),
             "probes");
-  EXPECT_EQ(nearest_in(List(Selection("front")), "front"), "");
-  EXPECT_EQ(nearest_in(Double(), "bxo"), "");
+  EXPECT_EQ(nearest_in(List(Selection("front")).description(), "front"), "");
+  EXPECT_EQ(nearest_in(Double().description(), "bxo"), "");
 }

@@ -15,7 +15,7 @@ namespace Thalweg
     std::string default_value; ///< as text
     std::string value;         ///< the present one, as text
     std::string text;          ///< its documentation
-    std::string pattern;       ///< for dealii::Patterns::pattern_factory()
+    std::string pattern;       ///< its description, for in_words()
   };
 
   /// All parameters and sections of a ParameterHandler, in the order of their

@@ -28,7 +28,7 @@ namespace Thalweg
     /// Without a file: all parameters keep their defaults.
     ParameterFile() = default;
 
-    /// Reads the file @p path. Faults are kept for check().
+    /// Reads the file @p path. Faults are kept for apply().
     explicit ParameterFile(const std::string &path);
 
     /// Reads @p text, which messages call @p name.
@@ -43,17 +43,11 @@ namespace Thalweg
     value(const std::string &path, const std::string &otherwise) const;
 
     /**
-     * @brief All that is wrong: lines that cannot be understood, names that
-     * @p prm does not declare, values that do not fit, settings given twice.
-     * @return one text a fault, "file:line: what is wrong"; empty: all right
-     */
-    std::vector<std::string>
-    check(const dealii::ParameterHandler &prm) const;
-
-    /**
      * @brief Sets all parameters in @p prm, and so the variables that belong
      * to them, as far as nothing is wrong with them.
-     * @return what check() says
+     * @return all that is wrong, "file:line: what is wrong" each: lines that
+     *   cannot be understood, names that @p prm does not declare, values that
+     *   do not fit, settings given twice
      */
     std::vector<std::string>
     apply(dealii::ParameterHandler &prm) const;

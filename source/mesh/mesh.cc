@@ -131,6 +131,14 @@ namespace Thalweg
     for (unsigned int d = 1; d < dim; ++d)
       if (std::abs(distance[d]) > std::abs(distance[pair.direction]))
         pair.direction = d;
+    for (unsigned int d = 0; d < dim; ++d)
+      AssertThrow(d == pair.direction ||
+                    std::abs(distance[d]) <=
+                      1e-8 * std::abs(distance[pair.direction]),
+                  dealii::ExcMessage("The boundaries of the periodic pair '" +
+                                     names +
+                                     "' do not face each other along an "
+                                     "axis."));
     return pair;
   }
 

@@ -20,15 +20,31 @@ namespace Thalweg
 
 
   template <int dim>
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  Advection<dim>::parse() const
+  {
+    return parse_expression<dim>(expression, dim, "Method/advection/Velocity");
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::check() const
+  {
+    parse();
+  }
+
+
+
+  template <int dim>
   void
   Advection<dim>::initialize(const Parts<dim> &parts_,
                              const Vector     &initial_velocity,
                              const Vector     &initial_level_set)
   {
-    parts    = std::make_unique<Parts<dim>>(parts_);
-    function = parse_expression<dim>(expression,
-                                     dim,
-                                     "Method/advection/Velocity");
+    parts               = std::make_unique<Parts<dim>>(parts_);
+    function            = parse();
     convecting_velocity = initial_velocity;
     projected_velocity  = initial_velocity;
     level_set           = initial_level_set;

@@ -174,6 +174,23 @@ namespace Thalweg
 
 
   template <int dim>
+  void
+  PopulationParameters<dim>::check() const
+  {
+    AssertThrow(maximum_per_cell > minimum_per_cell &&
+                  maximum_per_cell >= (1u << dim),
+                dealii::ExcMessage(
+                  "'Particles/Maximum per cell' is " +
+                  std::to_string(maximum_per_cell) +
+                  ", but it must be above 'Particles/Minimum per cell', which "
+                  "is " +
+                  std::to_string(minimum_per_cell) + ", and at least " +
+                  std::to_string(1u << dim) + "."));
+  }
+
+
+
+  template <int dim>
   PopulationControl<dim>::PopulationControl(
     const PopulationParameters<dim> &parameters,
     const StreamlineConvection<dim> &convection,
@@ -182,14 +199,7 @@ namespace Thalweg
     , convection(convection)
     , inflow_level_set(inflow_level_set)
   {
-    AssertThrow(parameters.maximum_per_cell > parameters.minimum_per_cell
-                  && parameters.maximum_per_cell >= n_sub_cells,
-                dealii::ExcMessage(
-                  "The particles' 'Maximum per cell' is "
-                  + std::to_string(parameters.maximum_per_cell)
-                  + ", but it must be above the 'Minimum per cell', which is "
-                  + std::to_string(parameters.minimum_per_cell)
-                  + ", and at least " + std::to_string(n_sub_cells) + "."));
+    parameters.check();
   }
 
 

@@ -1,7 +1,6 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/fields/expression.h>
 #include <thalweg/simulation/simulation.h>
-
-#include <sstream>
 
 namespace Thalweg
 {
@@ -85,14 +84,9 @@ namespace Thalweg
         {
           test();
         }
-      catch (const dealii::ExcMessage &exception)
+      catch (const std::exception &exception)
         {
-          std::ostringstream text;
-          exception.print_info(text);
-          std::string message = text.str();
-          message.erase(0, message.find_first_not_of(" \n"));
-          message.erase(message.find_last_not_of(" \n") + 1);
-          faults.push_back(message);
+          faults.push_back(message_of(exception));
         }
     };
     collect([this]() { fluids.check(); });
@@ -108,6 +102,13 @@ namespace Thalweg
                             "Initial conditions/Level set");
     });
     collect([this]() { forces.check(); });
+    collect([this]() { method->check(); });
+    collect([this]() { population.check(); });
+    collect([this]() {
+      parse_expression<dim>(mesh.local_refinement,
+                            1,
+                            "Refinement/Local levels");
+    });
     collect([this]() {
       Mesh<dim> coarse(MPI_COMM_SELF);
       coarse.create_coarse(mesh);

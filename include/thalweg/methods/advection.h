@@ -19,6 +19,9 @@ namespace Thalweg
     declare_parameters(const Section &section) override;
 
     void
+    check() const override;
+
+    void
     initialize(const Parts<dim> &parts,
                const Vector     &initial_velocity,
                const Vector     &initial_level_set) override;
@@ -33,6 +36,9 @@ namespace Thalweg
     }
 
   private:
+    std::unique_ptr<dealii::FunctionParser<dim>>
+    parse() const;
+
     /// Interpolates the expression at @p time to the nodes.
     void
     set_velocity(const double time);

@@ -44,6 +44,12 @@ namespace Thalweg
     virtual void
     declare_parameters(const Section &section) = 0;
 
+    /// Looks at the parameters before anything is built.
+    /// @throws dealii::ExcMessage if they cannot be used
+    virtual void
+    check() const
+    {}
+
     /**
      * @brief Prepares the first step.
      * @param parts must outlive the method

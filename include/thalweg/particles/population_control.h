@@ -16,6 +16,10 @@ namespace Thalweg
     void
     declare_parameters(const Section &section);
 
+    /// @throws dealii::ExcMessage if the limits leave no room between them
+    void
+    check() const;
+
     /// In cells with fewer, empty sub-cells are filled.
     unsigned int minimum_per_cell = dim == 2 ? 6 : 18;
     /// In cells with more, particles are removed.

@@ -1,5 +1,6 @@
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/interpolation.h>
+#include <thalweg/interface/sampled_volume.h>
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/simulation.h>
 
@@ -122,6 +123,11 @@ namespace Thalweg
          CarriedLevelSet<dim>(*level_set,
                               parameters.particles_carry == "sign",
                               carried_distance()));
+
+    if (parameters.fluids.size() == 2)
+      phase->target_volume = sampled_negative_volume<dim>(mesh.graph(),
+                                                          *level_set,
+                                                          context.communicator);
 
     Vector initial_velocity, initial_level_set;
     space->initialize_velocity(initial_velocity);

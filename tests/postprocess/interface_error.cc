@@ -4,15 +4,15 @@
 
 namespace
 {
-  const std::vector<std::string> box
-    = {"subsection Geometry",
-       "  subsection box",
-       "    set Repetitions = 8, 8",
-       "  end",
-       "end",
-       "subsection Refinement",
-       "  set Local levels = if(x < 0.6, 1, 0)",
-       "end"};
+  const std::vector<std::string> box = {
+    "subsection Geometry",
+    "  subsection box",
+    "    set Repetitions = 8, 8",
+    "  end",
+    "end",
+    "subsection Refinement",
+    "  set Local levels = if(x < 0.6, 1, 0)",
+    "end"};
 } // namespace
 
 

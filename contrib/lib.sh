@@ -74,18 +74,18 @@ configure() {
   rm -f "$log"
 }
 
-# Builds the given targets, all without any. A second call finds nothing to
-# do.
+# Builds the given targets, all without any. Where there is nothing to do it
+# says nothing.
 build() {
   local jobs=${JOBS:-$(build_jobs)} targets=()
   configure
   [ $# -eq 0 ] || targets=(--target "$@")
-  if [ -f "$BUILD/build.ninja" ] &&
-    ninja -C "$BUILD" -n "$@" | grep -q 'no work to do'; then
-    return 0
-  fi
-  say "building in $BUILD with $jobs jobs (set JOBS to change that)"
-  cmake --build "$BUILD" --parallel "$jobs" ${targets[@]+"${targets[@]}"} >&2 ||
+  [ -x "$BUILD/thalweg" ] ||
+    say "building with $jobs jobs (JOBS=N sets their number); this takes some" \
+      "minutes."
+  cmake --build "$BUILD" --parallel "$jobs" ${targets[@]+"${targets[@]}"} 2>&1 |
+    { grep --line-buffered -vE \
+      'Re-checking globbed|no work to do|Entering directory' || true; } >&2 ||
     fail "building failed; the lines above say why."
 }
 

@@ -64,7 +64,7 @@ namespace Thalweg
     void
     normalize_pressure();
 
-    unsigned int iterations           = 1;
+    unsigned int iterations           = 4;
     double       iteration_tolerance  = 1e-4;
     double       pressure_tolerance   = 1e-5;
     double       velocity_tolerance   = 1e-8;

@@ -12,7 +12,7 @@ namespace Thalweg
    *
    * The function is sampled on 10^dim sub-cells where it comes near zero, and
    * cut linearly in each: exact for planes if the function is linear. Spheres
-   * come out too small, their radius by about a quarter of s^2/R for sub-cells
+   * come out too small, their radius by about a sixth of s^2/R for sub-cells
    * of size s, which is 0.02 % of the volume for a radius of five cells.
    *
    * @param cell a cell; fractions are taken in its reference coordinates,

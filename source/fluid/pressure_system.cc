@@ -11,16 +11,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// The right hand side of a cell and, where it is enriched, of psi.
-    template <int dim>
-    struct Load
-    {
-      std::array<double, (1 << dim)> nodal{};
-      double                         star = 0;
-    };
-
-
-
     /// Values of a ghosted scalar at the nodes of a cell.
     template <int dim>
     std::array<double, (1 << dim)>
@@ -164,6 +154,112 @@ namespace Thalweg
 
 
   template <int dim>
+  void
+  PressureSystem<dim>::add_divergence(const unsigned int cell,
+                                      const Vector      &velocity,
+                                      const double       dt,
+                                      Load              &load) const
+  {
+    const auto u = gather_velocity<dim>(velocity, space.nodes(cell));
+    integrals.add_divergence(space.mesh().graph().cell(cell), u, load.nodal);
+    for (double &value : load.nodal)
+      value /= dt;
+    if (const CutCell<dim> *cut = enriched_cell(cell))
+      for (unsigned int v = 0; v < load.nodal.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          load.star -= cut->star_divergence[v][d] * u[dim * v + d] / dt;
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_forces(const unsigned int cell,
+                                  Load              &load) const
+  {
+    const auto         &geometry  = space.mesh().graph().cell(cell);
+    const auto          gradients = integrals.gradient_integrals(geometry);
+    const CutCell<dim> *cut       = cut_cell(cell);
+    const auto         &g         = forces.gravity();
+    const auto          f         = forces.has_density() ?
+                                      forces.density(Q1::center<dim>(geometry)) :
+                                      dealii::Tensor<1, dim>();
+    for (unsigned int v = 0; v < load.nodal.size(); ++v)
+      load.nodal[v] += g * gradients[v] +
+                       f * (cut ? cut->gradient[v] :
+                                  gradients[v] / phase.fluid(cell).density);
+    if (cut && cut->enriched)
+      load.star += g * cut->star_load + f * cut->star_inverse_load;
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::subtract_pressure(const unsigned int      cell,
+                                         const EnrichedPressure &pressure,
+                                         Load                   &load) const
+  {
+    constexpr unsigned int n   = 1 << dim;
+    const auto             p   = gather<dim>(pressure.nodal, space.nodes(cell));
+    const CutCell<dim>    *cut = cut_cell(cell);
+    const auto             laplace =
+      cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
+    const double factor = cut ? 1. : 1. / phase.fluid(cell).density;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        load.nodal[i] -= factor * laplace[i][j] * p[j];
+    if (cut && cut->enriched)
+      {
+        const double star = pressure.star[phase.cut_index(cell)];
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            load.nodal[i] -= cut->laplace_star[i] * star;
+            load.star -= cut->laplace_star[i] * p[i];
+          }
+        load.star -= cut->laplace_star_star * star;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::assemble_residual(const Vector           &velocity,
+                                         const double            dt,
+                                         const bool              with_forces,
+                                         const EnrichedPressure *pressure,
+                                         std::vector<double> &star_residual)
+  {
+    residual = 0.;
+    boundary.add_flux(-1. / dt, residual);
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      {
+        Load load;
+        add_divergence(c, velocity, dt, load);
+        if (with_forces)
+          add_forces(c, load);
+        if (pressure)
+          subtract_pressure(c, *pressure, load);
+        if (const CutCell<dim> *cut = enriched_cell(c))
+          {
+            star_residual[phase.cut_index(c)] = load.star;
+            for (unsigned int v = 0; v < load.nodal.size(); ++v)
+              load.nodal[v] -=
+                cut->laplace_star[v] * load.star / cut->laplace_star_star;
+          }
+        for (unsigned int v = 0; v < load.nodal.size(); ++v)
+          residual.local_element(space.nodes(c)[v]) += load.nodal[v];
+      }
+    space.fold(residual, 1);
+    for (const auto &node : boundary.pressure_nodes())
+      if (node.node < residual.locally_owned_size())
+        residual.local_element(node.node) = 0.;
+  }
+
+
+
+  template <int dim>
   SolveReport
   PressureSystem<dim>::correct(const Vector      &velocity,
                                const double       dt,
@@ -172,97 +268,16 @@ namespace Thalweg
                                const double       tolerance,
                                const unsigned int maximal_iterations)
   {
-    constexpr unsigned int n     = 1 << dim;
-    const CellGraph<dim>  &graph = space.mesh().graph();
-    const auto            &g     = forces.gravity();
-    const auto            &cuts  = phase.cut_cells();
+    constexpr unsigned int n    = 1 << dim;
+    const auto            &cuts = phase.cut_cells();
     std::vector<double>    star_residual(cuts.size(), 0.);
-
-    // The load alone, of which the norm is the measure for tolerances, then
-    // the residual.
-    for (const bool subtract_pressure : {false, true})
+    if (with_forces)
       {
-        if (!with_forces && !subtract_pressure)
-          continue;
-        residual = 0.;
-        boundary.add_flux(-1. / dt, residual);
-        for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-          {
-            const auto &cell  = graph.cell(c);
-            const auto &nodes = space.nodes(c);
-            const auto  u     = gather_velocity<dim>(velocity, nodes);
-            Load<dim>   load;
-            integrals.add_divergence(cell, u, load.nodal);
-            for (double &value : load.nodal)
-              value /= dt;
-            const int           cut_index = phase.cut_index(c);
-            const CutCell<dim> *cut =
-              cut_index < 0 ? nullptr : &cuts[cut_index];
-            if (cut && cut->enriched)
-              for (unsigned int v = 0; v < n; ++v)
-                for (unsigned int d = 0; d < dim; ++d)
-                  load.star -=
-                    cut->star_divergence[v][d] * u[dim * v + d] / dt;
-            if (with_forces)
-              {
-                const auto gradients = integrals.gradient_integrals(cell);
-                const auto f         = forces.has_density() ?
-                                         forces.density(Q1::center<dim>(cell)) :
-                                         dealii::Tensor<1, dim>();
-                for (unsigned int v = 0; v < n; ++v)
-                  load.nodal[v] +=
-                    g * gradients[v] +
-                    f * (cut ? cut->gradient[v] :
-                               gradients[v] / phase.fluid(c).density);
-                if (cut && cut->enriched)
-                  load.star += g * cut->star_load + f * cut->star_inverse_load;
-              }
-            if (subtract_pressure && with_forces)
-              {
-                const auto p = gather<dim>(pressure.nodal, nodes);
-                if (cut)
-                  {
-                    const double star = pressure.star[cut_index];
-                    for (unsigned int i = 0; i < n; ++i)
-                      {
-                        for (unsigned int j = 0; j < n; ++j)
-                          load.nodal[i] -= cut->laplace[i][j] * p[j];
-                        if (cut->enriched)
-                          {
-                            load.nodal[i] -= cut->laplace_star[i] * star;
-                            load.star -= cut->laplace_star[i] * p[i];
-                          }
-                      }
-                    if (cut->enriched)
-                      load.star -= cut->laplace_star_star * star;
-                  }
-                else
-                  {
-                    const auto   laplace = integrals.laplace(cell);
-                    const double inverse = 1. / phase.fluid(c).density;
-                    for (unsigned int i = 0; i < n; ++i)
-                      for (unsigned int j = 0; j < n; ++j)
-                        load.nodal[i] -= inverse * laplace[i][j] * p[j];
-                  }
-              }
-            if (cut && cut->enriched)
-              {
-                star_residual[cut_index] = load.star;
-                for (unsigned int v = 0; v < n; ++v)
-                  load.nodal[v] -= cut->laplace_star[v] * load.star /
-                                   cut->laplace_star_star;
-              }
-            for (unsigned int v = 0; v < n; ++v)
-              residual.local_element(nodes[v]) += load.nodal[v];
-          }
-        space.fold(residual, 1);
-        for (const auto &node : boundary.pressure_nodes())
-          if (node.node < residual.locally_owned_size())
-            residual.local_element(node.node) = 0.;
-        if (!subtract_pressure)
-          reference_norm = residual.l2_norm();
+        assemble_residual(velocity, dt, true, nullptr, star_residual);
+        reference_norm = residual.l2_norm();
       }
-
+    assemble_residual(
+      velocity, dt, with_forces, with_forces ? &pressure : nullptr, star_residual);
     const SolveReport report =
       solve(tolerance * reference_norm, maximal_iterations);
     space.interpolate(increment, 1);

@@ -8,7 +8,9 @@
 #include <thalweg/linear_algebra/amg.h>
 #include <thalweg/linear_algebra/krylov.h>
 
+#include <array>
 #include <memory>
+#include <vector>
 
 namespace dealii
 {
@@ -91,8 +93,57 @@ namespace Thalweg
     }
 
   private:
+    /// The right hand side of a cell and, where it is enriched, of psi.
+    struct Load
+    {
+      std::array<double, (1 << dim)> nodal{};
+      double                         star = 0;
+    };
+
     void
     initialize_matrix();
+
+    /// The integrals of a cell that the interface cuts, or nullptr.
+    const CutCell<dim> *
+    cut_cell(const unsigned int cell) const
+    {
+      const int index = phase.cut_index(cell);
+      return index < 0 ? nullptr : &phase.cut_cells()[index];
+    }
+
+    /// The same for an enriched cell only.
+    const CutCell<dim> *
+    enriched_cell(const unsigned int cell) const
+    {
+      const CutCell<dim> *cut = cut_cell(cell);
+      return cut && cut->enriched ? cut : nullptr;
+    }
+
+    /// (grad q, V)/dt and -(psi, div V)/dt; the first terms of a load.
+    void
+    add_divergence(const unsigned int cell,
+                   const Vector      &velocity,
+                   const double       dt,
+                   Load              &load) const;
+
+    /// (grad q, g + f/rho) and (grad psi, g + f/rho)
+    void
+    add_forces(const unsigned int cell, Load &load) const;
+
+    /// (grad q, grad p / rho) and (grad psi, grad p / rho)
+    void
+    subtract_pressure(const unsigned int      cell,
+                      const EnrichedPressure &pressure,
+                      Load                   &load) const;
+
+    /// The condensed residual of all cells, folded; that of psi separately.
+    /// @param pressure is subtracted; nullptr: none
+    void
+    assemble_residual(const Vector           &velocity,
+                      const double            dt,
+                      const bool              with_forces,
+                      const EnrichedPressure *pressure,
+                      std::vector<double>    &star_residual);
 
     /// increment = matrix^{-1} residual, with a new multigrid hierarchy if
     /// the old one no longer serves.

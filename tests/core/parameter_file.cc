@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace Thalweg;
 
@@ -200,7 +201,8 @@ TEST_F(ParameterFileTest, ReportsAllFaultsAndAppliesTheRest)
 TEST_F(ParameterFileTest, IncludesFilesBesideItself)
 {
   namespace fs             = std::filesystem;
-  const fs::path directory = fs::path(::testing::TempDir()) / "thalweg_prm";
+  const fs::path directory = fs::path(::testing::TempDir()) /
+                             ("thalweg_prm_" + std::to_string(getpid()));
   fs::create_directories(directory / "base");
   std::ofstream(directory / "a.prm")
     << "include base/b.prm\nsubsection Time\nset Steps = 5\nend\n";

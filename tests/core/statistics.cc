@@ -6,6 +6,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <unistd.h>
 
 using namespace Thalweg;
 
@@ -40,8 +41,9 @@ TEST(Statistics, AddsWithinARowAndRemembersTheLast)
 
 TEST(Statistics, WritesHeaderAndRows)
 {
-  const std::string path = ::testing::TempDir() + "thalweg_statistics.csv";
-  Statistics        statistics;
+  const std::string path =
+    ::testing::TempDir() + "thalweg_" + std::to_string(getpid()) + ".csv";
+  Statistics statistics;
   statistics.open(path);
   statistics.set("step", 1.);
   statistics.set("time [s]", 0.125);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
+#include <unistd.h>
 
 using namespace Thalweg;
 namespace fs = std::filesystem;
@@ -18,13 +19,25 @@ namespace
     text << file.rdbuf();
     return text.str();
   }
+
+
+
+  /// A path that no other run of the tests uses, the same on all processes.
+  fs::path
+  own_path(const std::string &name)
+  {
+    const int number =
+      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, int(getpid()), 0);
+    return fs::path(::testing::TempDir()) /
+           ("thalweg_" + std::to_string(number) + "_" + name);
+  }
 } // namespace
 
 
 
 TEST(RunDirectoryMpi, HoldsWhatWasAskedFor)
 {
-  const fs::path           top = fs::path(::testing::TempDir()) / "thalweg_run";
+  const fs::path           top = own_path("run");
   Context                  context(MPI_COMM_WORLD);
   dealii::ParameterHandler prm;
   double                   end_time = 1.;
@@ -66,7 +79,7 @@ TEST(RunDirectoryMpi, HoldsWhatWasAskedFor)
 
 TEST(RunDirectory, FilesAreReplacedAsAWhole)
 {
-  const fs::path path = fs::path(::testing::TempDir()) / "thalweg_whole.txt";
+  const fs::path path = own_path("whole.txt");
   write_file(path.string(), "first, and longer");
   write_file(path.string(), "second");
   EXPECT_EQ(content(path), "second");

@@ -27,23 +27,23 @@ namespace
   Thalweg::CellVelocity<dim>
   cellular_flow(const Thalweg::Mesh<dim> &mesh)
   {
-    constexpr double pi = dealii::numbers::PI;
+    constexpr double           pi = dealii::numbers::PI;
     Thalweg::CellVelocity<dim> velocity(mesh.graph().n_cells());
     for (unsigned int i = 0; i < velocity.size(); ++i)
       for (unsigned int v = 0; v < (1 << dim); ++v)
-      {
-        const auto &p = mesh.graph().cell(i).vertices[v];
-        double *u     = velocity[i].data() + dim * v;
-        for (unsigned int d = 0; d < dim; ++d)
-          u[d] = 0;
-        u[0] += std::sin(pi * p[0]) * std::cos(pi * p[1]);
-        u[1] -= std::cos(pi * p[0]) * std::sin(pi * p[1]);
-        if (dim == 3)
         {
-          u[1] += std::sin(pi * p[1]) * std::cos(pi * p[dim - 1]);
-          u[dim - 1] -= std::cos(pi * p[1]) * std::sin(pi * p[dim - 1]);
+          const auto &p = mesh.graph().cell(i).vertices[v];
+          double     *u = velocity[i].data() + dim * v;
+          for (unsigned int d = 0; d < dim; ++d)
+            u[d] = 0;
+          u[0] += std::sin(pi * p[0]) * std::cos(pi * p[1]);
+          u[1] -= std::cos(pi * p[0]) * std::sin(pi * p[1]);
+          if (dim == 3)
+            {
+              u[1] += std::sin(pi * p[1]) * std::cos(pi * p[dim - 1]);
+              u[dim - 1] -= std::cos(pi * p[1]) * std::sin(pi * p[dim - 1]);
+            }
         }
-      }
     return velocity;
   }
 
@@ -52,8 +52,8 @@ namespace
   refine_locally(Thalweg::Mesh<dim> &mesh)
   {
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned()
-          && std::abs(cell->center().norm() - 0.7) < 0.15)
+      if (cell->is_locally_owned() &&
+          std::abs(cell->center().norm() - 0.7) < 0.15)
         cell->set_refine_flag();
     mesh.triangulation().execute_coarsening_and_refinement();
     mesh.update();
@@ -62,9 +62,9 @@ namespace
   template <int dim>
   void
   run(const unsigned int n_cells,
-      const bool is_adapted,
+      const bool         is_adapted,
       const std::string &integrator,
-      const double courant)
+      const double       courant)
   {
     Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
     dealii::GridGenerator::subdivided_hyper_cube(mesh.triangulation(), n_cells);
@@ -82,22 +82,22 @@ namespace
     const Thalweg::StreamlineConvection<dim> convection(mesh, parameters, {});
     const auto velocity = cellular_flow<dim>(mesh);
 
-    const unsigned int n_steps = courant < 5 ? 10 : 4;
-    const double dt            = courant / n_cells;
-    std::uint64_t n_substeps = 0, n_crossed = 0, n_moved = 0;
+    const unsigned int n_steps    = courant < 5 ? 10 : 4;
+    const double       dt         = courant / n_cells;
+    std::uint64_t      n_substeps = 0, n_crossed = 0, n_moved = 0;
     const std::clock_t begin = std::clock();
     for (unsigned int step = 0; step < n_steps; ++step)
-    {
-      const auto report
-        = convection.move(population, velocity, dt).sum(MPI_COMM_WORLD);
-      n_substeps += report.n_substeps;
-      n_crossed += report.n_cells_crossed;
-      n_moved += report.n_moved;
-    }
-    const double seconds
-      = dealii::Utilities::MPI::sum(static_cast<double>(std::clock() - begin)
-                                      / CLOCKS_PER_SEC,
-                                    MPI_COMM_WORLD);
+      {
+        const auto report =
+          convection.move(population, velocity, dt).sum(MPI_COMM_WORLD);
+        n_substeps += report.n_substeps;
+        n_crossed += report.n_cells_crossed;
+        n_moved += report.n_moved;
+      }
+    const double seconds =
+      dealii::Utilities::MPI::sum(static_cast<double>(std::clock() - begin) /
+                                    CLOCKS_PER_SEC,
+                                  MPI_COMM_WORLD);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::printf("%dD  %-8s %-4s %8.1f %10.0f %9.2f %9.2f %14.2f %14.1f\n",
                   dim,

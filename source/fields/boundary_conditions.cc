@@ -28,9 +28,8 @@ namespace Thalweg
                         "'" + entry + "' in '" + section_name + "/" + where +
                         "' has no colon between the boundary's name and the "
                         "expression."));
-          result.emplace_back(
-            dealii::Utilities::trim(entry.substr(0, colon)),
-            dealii::Utilities::trim(entry.substr(colon + 1)));
+          result.emplace_back(dealii::Utilities::trim(entry.substr(0, colon)),
+                              dealii::Utilities::trim(entry.substr(colon + 1)));
         }
       return result;
     }
@@ -130,9 +129,9 @@ namespace Thalweg
                     dealii::ExcMessage("The boundary '" + name +
                                        "' has no condition; name it in '" +
                                        section_name + "'."));
-        conditions[id].kind = parameters.otherwise == "slip" ?
-                                BoundaryKind::slip :
-                                BoundaryKind::no_slip;
+        conditions[id].kind = parameters.otherwise == "slip"
+                                ? BoundaryKind::slip
+                                : BoundaryKind::no_slip;
       }
   }
 

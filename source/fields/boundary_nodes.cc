@@ -41,8 +41,8 @@ namespace Thalweg
     {
       for (const auto &direction : directions)
         normal -= (normal * direction) * direction;
-      if (normal.norm() > std::sqrt(1. - smooth_wall_cosine *
-                                           smooth_wall_cosine))
+      if (normal.norm() >
+          std::sqrt(1. - smooth_wall_cosine * smooth_wall_cosine))
         directions.push_back(normal / normal.norm());
     }
   } // namespace
@@ -71,8 +71,8 @@ namespace Thalweg
     const unsigned int n_owned = layout.locally_owned_size();
 
     std::map<unsigned int, FixedNode> nodes;
-    std::map<unsigned int, std::map<dealii::types::boundary_id,
-                                    dealii::Tensor<1, dim>>>
+    std::map<unsigned int,
+             std::map<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
                                          slip_normals;
     std::map<unsigned int, PressureNode> pressures;
     for (unsigned int c = 0; c < graph.n_cells(); ++c)
@@ -99,9 +99,9 @@ namespace Thalweg
                     dealii::GeometryInfo<dim>::unit_cell_vertex(vertex));
                   auto &mean = slip_normals[node][id];
                   // Sharp edges within one boundary keep both directions.
-                  if (mean.norm() > 0 &&
-                      mean * normal <
-                        smooth_wall_cosine * mean.norm() * normal.norm())
+                  if (mean.norm() > 0 && mean * normal < smooth_wall_cosine *
+                                                           mean.norm() *
+                                                           normal.norm())
                     {
                       auto &entry = nodes[node];
                       entry.node  = node;
@@ -113,8 +113,10 @@ namespace Thalweg
                   else
                     mean += normal;
                   if (nodes.count(node) == 0)
-                    nodes[node] = {
-                      node, x, dealii::numbers::invalid_boundary_id, {}};
+                    nodes[node] = {node,
+                                   x,
+                                   dealii::numbers::invalid_boundary_id,
+                                   {}};
                   nodes[node].position = x;
                 }
             }
@@ -140,13 +142,12 @@ namespace Thalweg
                   const unsigned int vertex =
                     dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v);
                   const unsigned int node = space.nodes(c)[vertex];
-                  nodes[node]             = {
-                    node,
-                    graph.cell(c).vertices[vertex],
-                    kind == BoundaryKind::velocity ?
-                                  id :
-                                  dealii::numbers::invalid_boundary_id,
-                                {}};
+                  nodes[node]             = {node,
+                                             graph.cell(c).vertices[vertex],
+                                 kind == BoundaryKind::velocity
+                                               ? id
+                                               : dealii::numbers::invalid_boundary_id,
+                                             {}};
                 }
             }
     for (const auto &[node, entry] : nodes)
@@ -163,8 +164,8 @@ namespace Thalweg
   void
   BoundaryNodes<dim>::collect_faces()
   {
-    const CellGraph<dim>          &graph = space.mesh().graph();
-    const dealii::QGauss<dim - 1>  gauss(2);
+    const CellGraph<dim>         &graph = space.mesh().graph();
+    const dealii::QGauss<dim - 1> gauss(2);
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
         {

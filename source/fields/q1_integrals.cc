@@ -31,13 +31,12 @@ namespace Thalweg
   {
     if (cell.axis_parallel)
       {
-        const dealii::Tensor<1, dim> scale =
-          cell.measure * cell.inverse_extent;
+        const dealii::Tensor<1, dim> scale = cell.measure * cell.inverse_extent;
         for (unsigned int i = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < n_vertices; ++j)
             for (unsigned int d = 0; d < dim; ++d)
-              result[i] += scale[d] * divergence_table[i][j][d] *
-                           velocity[dim * j + d];
+              result[i] +=
+                scale[d] * divergence_table[i][j][d] * velocity[dim * j + d];
         return;
       }
     for (unsigned int q = 0; q < gauss.n_points; ++q)
@@ -63,8 +62,7 @@ namespace Thalweg
   {
     if (cell.axis_parallel)
       {
-        const dealii::Tensor<1, dim> scale =
-          cell.measure * cell.inverse_extent;
+        const dealii::Tensor<1, dim> scale = cell.measure * cell.inverse_extent;
         for (unsigned int i = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < n_vertices; ++j)
             for (unsigned int d = 0; d < dim; ++d)
@@ -97,8 +95,8 @@ namespace Thalweg
       {
         dealii::Tensor<1, dim> scale;
         for (unsigned int d = 0; d < dim; ++d)
-          scale[d] = cell.measure * cell.inverse_extent[d] *
-                     cell.inverse_extent[d];
+          scale[d] =
+            cell.measure * cell.inverse_extent[d] * cell.inverse_extent[d];
         for (unsigned int i = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < n_vertices; ++j)
             matrix[i][j] = scale * laplace_table[i][j];

@@ -76,9 +76,8 @@ namespace Thalweg
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
         const int cut_index = phase->cut_index(c);
-        auto      local     = cut_index < 0 ?
-                                integrals.node_measures(graph.cell(c)) :
-                                phase->cut_cells()[cut_index].mass;
+        auto      local = cut_index < 0 ? integrals.node_measures(graph.cell(c))
+                                        : phase->cut_cells()[cut_index].mass;
         if (cut_index < 0)
           for (double &value : local)
             value *= phase->fluid(c).density;
@@ -140,11 +139,11 @@ namespace Thalweg
     double momentum = 0;
     for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
-        momentum += std::pow(mass.local_element(n) / dt *
-                               v.local_element(dim * n + d),
-                             2);
-    momentum = std::sqrt(
-      dealii::Utilities::MPI::sum(momentum, context->communicator));
+        momentum +=
+          std::pow(mass.local_element(n) / dt * v.local_element(dim * n + d),
+                   2);
+    momentum =
+      std::sqrt(dealii::Utilities::MPI::sum(momentum, context->communicator));
     change = 0.;
     const SolveReport report =
       solve_cg(*viscous,
@@ -227,8 +226,12 @@ namespace Thalweg
       {
         dp.nodal = 0.;
         dp.star.assign(phase->cut_cells().size(), 0.);
-        report = pressure_system->correct(
-          v, dt, false, dp, pressure_tolerance, maximal_cg_iterations); // (87c,d)
+        report = pressure_system->correct(v,
+                                          dt,
+                                          false,
+                                          dp,
+                                          pressure_tolerance,
+                                          maximal_cg_iterations); // (87c,d)
         statistics.add("pressure iterations", report.iterations);
         change.copy_locally_owned_data_from(v);
         accelerate(dp, false, dt); // (87e)

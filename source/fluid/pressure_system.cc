@@ -14,7 +14,8 @@ namespace Thalweg
     /// Values of a ghosted scalar at the nodes of a cell.
     template <int dim>
     std::array<double, (1 << dim)>
-    gather(const Vector &vector, const std::array<unsigned int, (1 << dim)> &nodes)
+    gather(const Vector                               &vector,
+           const std::array<unsigned int, (1 << dim)> &nodes)
     {
       std::array<double, (1 << dim)> values;
       for (unsigned int v = 0; v < nodes.size(); ++v)
@@ -27,7 +28,7 @@ namespace Thalweg
     /// Values of a ghosted velocity at the nodes of a cell.
     template <int dim>
     std::array<double, dim *(1 << dim)>
-    gather_velocity(const Vector                                 &vector,
+    gather_velocity(const Vector                               &vector,
                     const std::array<unsigned int, (1 << dim)> &nodes)
     {
       std::array<double, dim *(1 << dim)> values;
@@ -79,8 +80,8 @@ namespace Thalweg
           open.add_line(index);
       }
     open.close();
-    constraints.merge(
-      open, dealii::AffineConstraints<double>::left_object_wins);
+    constraints.merge(open,
+                      dealii::AffineConstraints<double>::left_object_wins);
     constraints.close();
 
     dealii::IndexSet relevant;
@@ -120,11 +121,11 @@ namespace Thalweg
             const CutCell<dim> &cut = phase.cut_cells()[cut_index];
             for (unsigned int i = 0; i < n; ++i)
               for (unsigned int j = 0; j < n; ++j)
-                local(i, j) = cut.laplace[i][j] -
-                              (cut.enriched ? cut.laplace_star[i] *
-                                                cut.laplace_star[j] /
-                                                cut.laplace_star_star :
-                                              0.);
+                local(i, j) =
+                  cut.laplace[i][j] -
+                  (cut.enriched ? cut.laplace_star[i] * cut.laplace_star[j] /
+                                    cut.laplace_star_star
+                                : 0.);
           }
         for (unsigned int v = 0; v < n; ++v)
           indices[v] =
@@ -174,20 +175,19 @@ namespace Thalweg
 
   template <int dim>
   void
-  PressureSystem<dim>::add_forces(const unsigned int cell,
-                                  Load              &load) const
+  PressureSystem<dim>::add_forces(const unsigned int cell, Load &load) const
   {
     const auto         &geometry  = space.mesh().graph().cell(cell);
     const auto          gradients = integrals.gradient_integrals(geometry);
     const CutCell<dim> *cut       = cut_cell(cell);
     const auto         &g         = forces.gravity();
-    const auto          f         = forces.has_density() ?
-                                      forces.density(Q1::center<dim>(geometry)) :
-                                      dealii::Tensor<1, dim>();
+    const auto          f         = forces.has_density()
+                                      ? forces.density(Q1::center<dim>(geometry))
+                                      : dealii::Tensor<1, dim>();
     for (unsigned int v = 0; v < load.nodal.size(); ++v)
-      load.nodal[v] += g * gradients[v] +
-                       f * (cut ? cut->gradient[v] :
-                                  gradients[v] / phase.fluid(cell).density);
+      load.nodal[v] +=
+        g * gradients[v] +
+        f * (cut ? cut->gradient[v] : gradients[v] / phase.fluid(cell).density);
     if (cut && cut->enriched)
       load.star += g * cut->star_load + f * cut->star_inverse_load;
   }
@@ -229,7 +229,7 @@ namespace Thalweg
                                          const double            dt,
                                          const bool              with_forces,
                                          const EnrichedPressure *pressure,
-                                         std::vector<double> &star_residual)
+                                         std::vector<double>    &star_residual)
   {
     residual = 0.;
     boundary.add_flux(-1. / dt, residual);
@@ -276,8 +276,11 @@ namespace Thalweg
         assemble_residual(velocity, dt, true, nullptr, star_residual);
         reference_norm = residual.l2_norm();
       }
-    assemble_residual(
-      velocity, dt, with_forces, with_forces ? &pressure : nullptr, star_residual);
+    assemble_residual(velocity,
+                      dt,
+                      with_forces,
+                      with_forces ? &pressure : nullptr,
+                      star_residual);
     const SolveReport report =
       solve(tolerance * reference_norm, maximal_iterations);
     space.interpolate(increment, 1);
@@ -337,12 +340,12 @@ namespace Thalweg
   template <int dim>
   void
   PressureSystem<dim>::subtract_gradient(const EnrichedPressure &pressure,
-                                         Vector &force) const
+                                         Vector                 &force) const
   {
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto &nodes = space.nodes(c);
+        const auto                         &nodes = space.nodes(c);
         std::array<double, dim *(1 << dim)> result{};
         integrals.add_gradient(graph.cell(c),
                                gather<dim>(pressure.nodal, nodes),

@@ -49,7 +49,7 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto                          &nodes = space.nodes(c);
+        const auto                                    &nodes = space.nodes(c);
         std::array<dealii::Tensor<1, dim>, (1 << dim)> u, f;
         for (unsigned int v = 0; v < u.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
@@ -80,8 +80,8 @@ namespace Thalweg
     mass = &mass_;
     dt   = time_step;
 
-    Vector &inverse = diagonal.inverse_diagonal;
-    inverse         = 0.;
+    Vector &inverse             = diagonal.inverse_diagonal;
+    inverse                     = 0.;
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int q = 0; q < gauss.n_points; ++q)
@@ -102,8 +102,9 @@ namespace Thalweg
       for (unsigned int d = 0; d < dim; ++d)
         {
           double &entry = inverse.local_element(dim * n + d);
-          entry = space.is_dependent(n) ? 1. :
-                                          1. / (entry + mass->local_element(n) / dt);
+          entry         = space.is_dependent(n)
+                            ? 1.
+                            : 1. / (entry + mass->local_element(n) / dt);
         }
   }
 
@@ -122,10 +123,10 @@ namespace Thalweg
     for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
         destination.local_element(dim * n + d) =
-          space.is_dependent(n) ?
-            source.local_element(dim * n + d) :
-            mass->local_element(n) / dt * work.local_element(dim * n + d) -
-              destination.local_element(dim * n + d);
+          space.is_dependent(n)
+            ? source.local_element(dim * n + d)
+            : mass->local_element(n) / dt * work.local_element(dim * n + d) -
+                destination.local_element(dim * n + d);
     boundary.project(destination);
   }
 

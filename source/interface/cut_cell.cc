@@ -27,8 +27,8 @@ namespace Thalweg
               const double                          density,
               const bool                            enrich)
     {
-      const double           inverse = weight / density;
-      double                 psi     = -absolute_phi;
+      const double           inverse  = weight / density;
+      double                 psi      = -absolute_phi;
       dealii::Tensor<1, dim> grad_psi = -absolute_gradient;
       if (enrich)
         for (unsigned int v = 0; v < w.size(); ++v)
@@ -73,8 +73,8 @@ namespace Thalweg
       static const Q1::Gauss<dim> gauss;
       for (unsigned int q = 0; q < gauss.n_points; ++q)
         {
-          const auto   point  = gauss.evaluate(cell, q);
-          const double weight = gauss.weight * point.determinant;
+          const auto             point  = gauss.evaluate(cell, q);
+          const double           weight = gauss.weight * point.determinant;
           dealii::Tensor<1, dim> gradient;
           for (unsigned int v = 0; v < w.size(); ++v)
             gradient += w[v] * point.gradients[v];
@@ -105,9 +105,9 @@ namespace Thalweg
       if (cut.normal.norm() > 0)
         cut.normal /= cut.normal.norm();
 
-      cut.negative_fraction = negative_volume<dim>(cell, phi) / cell.measure;
-      const double f        = cut.negative_fraction;
-      const double mu[2]    = {fluids[0].viscosity, fluids[1].viscosity};
+      cut.negative_fraction    = negative_volume<dim>(cell, phi) / cell.measure;
+      const double f           = cut.negative_fraction;
+      const double mu[2]       = {fluids[0].viscosity, fluids[1].viscosity};
       cut.arithmetic_viscosity = f * mu[0] + (1 - f) * mu[1];
       cut.harmonic_viscosity =
         mu[0] * mu[1] > 0 ? mu[0] * mu[1] / (f * mu[1] + (1 - f) * mu[0]) : 0.;
@@ -126,7 +126,7 @@ namespace Thalweg
                      const bool                            enrich)
   {
     CutCell<dim> cut{};
-    cut.cell = index;
+    cut.cell   = index;
     auto   phi = phi_in, w = w_in;
     double scale = 0;
     for (const double value : w)
@@ -195,11 +195,11 @@ namespace Thalweg
       SimplexCut::cut(simplex, [&](const auto &piece) {
         if (SimplexCut::is_negative(piece))
           for (const auto &q : SimplexCut::quadrature(piece))
-            volume += q.weight * Q1::evaluate<dim>(cell,
-                                                   Q1::values<dim>(q.xi),
-                                                   Q1::reference_gradients<dim>(
-                                                     q.xi))
-                                   .determinant;
+            volume +=
+              q.weight * Q1::evaluate<dim>(cell,
+                                           Q1::values<dim>(q.xi),
+                                           Q1::reference_gradients<dim>(q.xi))
+                           .determinant;
       });
     return volume;
   }

@@ -42,9 +42,8 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       domain_volume += graph.cell(c).measure;
-    domain_volume =
-      dealii::Utilities::MPI::sum(domain_volume,
-                                  space.mesh().triangulation().get_communicator());
+    domain_volume = dealii::Utilities::MPI::sum(
+      domain_volume, space.mesh().triangulation().get_communicator());
   }
 
 
@@ -137,8 +136,8 @@ namespace Thalweg
             space.interpolate(phi, 1);
             space.copy_to_cells(phi, values);
           }
-        shifted_volume = last_shift == 0. ? unshifted_volume :
-                                            volume_with_shift(values, 0.);
+        shifted_volume =
+          last_shift == 0. ? unshifted_volume : volume_with_shift(values, 0.);
       }
     else
       unshifted_volume = shifted_volume = domain_volume;
@@ -178,18 +177,18 @@ namespace Thalweg
           }
         const auto [smallest, largest] =
           std::minmax_element(values.begin(), values.end());
-        is_cut = is_cut || (*smallest < 0 && *largest > 0);
+        is_cut           = is_cut || (*smallest < 0 && *largest > 0);
         fluid_of_cell[c] = sum < 0 ? 0 : 1;
         if (is_cut)
           {
             cut_of_cell[c] = cuts.size();
-            cuts.push_back(integrate_cut_cell<dim>(c,
-                                                   graph.cell(c),
-                                                   values,
-                                                   w,
-                                                   fluids,
-                                                   parameters.enrichment !=
-                                                     "none"));
+            cuts.push_back(
+              integrate_cut_cell<dim>(c,
+                                      graph.cell(c),
+                                      values,
+                                      w,
+                                      fluids,
+                                      parameters.enrichment != "none"));
           }
       }
   }

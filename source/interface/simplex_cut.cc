@@ -74,7 +74,7 @@ namespace Thalweg
                              (v << ((normal + 2) % 3));
               }
             dealii::Point<3> middle(.5, .5, .5);
-            middle[normal]      = side;
+            middle[normal]       = side;
             const double on_face = (phi[corners[0]] + phi[corners[1]] +
                                     phi[corners[2]] + phi[corners[3]]) /
                                    4.;
@@ -181,11 +181,17 @@ namespace Thalweg
 
 
 
-    template double measure<2>(const Simplex<2> &);
-    template double measure<3>(const Simplex<3> &);
-    template dealii::Tensor<1, 2> gradient<2>(const Simplex<2> &);
-    template dealii::Tensor<1, 3> gradient<3>(const Simplex<3> &);
-    template double negative_fraction<2>(const std::array<double, 4> &);
-    template double negative_fraction<3>(const std::array<double, 8> &);
+    template double
+    measure<2>(const Simplex<2> &);
+    template double
+    measure<3>(const Simplex<3> &);
+    template dealii::Tensor<1, 2>
+    gradient<2>(const Simplex<2> &);
+    template dealii::Tensor<1, 3>
+    gradient<3>(const Simplex<3> &);
+    template double
+    negative_fraction<2>(const std::array<double, 4> &);
+    template double
+    negative_fraction<3>(const std::array<double, 8> &);
   } // namespace SimplexCut
 } // namespace Thalweg

@@ -20,11 +20,11 @@ namespace Thalweg
         fluid.add("Name",
                   fluids[f].name,
                   "",
-                  f == 0 ?
-                    "How the other sections call this fluid; it is where "
-                    "the initial level set is negative." :
-                    "How the other sections call this fluid; it is where "
-                    "the initial level set is positive.",
+                  f == 0
+                    ? "How the other sections call this fluid; it is where "
+                      "the initial level set is negative."
+                    : "How the other sections call this fluid; it is where "
+                      "the initial level set is positive.",
                   dealii::Patterns::Anything());
         fluid.add("Density",
                   fluids[f].density,
@@ -61,8 +61,7 @@ namespace Thalweg
                     dealii::ExcMessage("'" + where + "/Name' is empty."));
       }
     AssertThrow(number == 1 || fluids[0].name != fluids[1].name,
-                dealii::ExcMessage("Both fluids are called '" +
-                                   fluids[0].name +
+                dealii::ExcMessage("Both fluids are called '" + fluids[0].name +
                                    "'; give them different names."));
   }
 

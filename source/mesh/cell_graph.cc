@@ -15,12 +15,10 @@ namespace Thalweg
     /// deal.II's standard orientation.
     template <int dim>
     bool
-    is_axis_parallel(
-      const std::array<dealii::Point<dim>, (1 << dim)> &vertices)
+    is_axis_parallel(const std::array<dealii::Point<dim>, (1 << dim)> &vertices)
     {
-      const dealii::Tensor<1, dim> extent =
-        vertices.back() - vertices.front();
-      const double tolerance = 1e-10 * extent.norm();
+      const dealii::Tensor<1, dim> extent = vertices.back() - vertices.front();
+      const double                 tolerance = 1e-10 * extent.norm();
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -130,10 +128,9 @@ namespace Thalweg
         face.behind = Behind::refined;
         std::array<int, n_face_children> behind;
         for (unsigned int s = 0; s < n_face_children; ++s)
-          behind[s] =
-            index(is_periodic ?
-                    cell->periodic_neighbor_child_on_subface(face_no, s) :
-                    cell->neighbor_child_on_subface(face_no, s));
+          behind[s] = index(
+            is_periodic ? cell->periodic_neighbor_child_on_subface(face_no, s)
+                        : cell->neighbor_child_on_subface(face_no, s));
         face.index = children.size();
         children.push_back(behind);
       }

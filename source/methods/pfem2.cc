@@ -30,11 +30,8 @@ namespace Thalweg
     level_set           = initial_level_set;
     convecting_velocity.update_ghost_values();
     velocity_star.update_ghost_values();
-    parts->projection.project(parts->population,
-                              parts->space,
-                              parts->fluids,
-                              velocity_star,
-                              level_set);
+    parts->projection.project(
+      parts->population, parts->space, parts->fluids, velocity_star, level_set);
     parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
     Vector &v = parts->flow.velocity();
     v.copy_locally_owned_data_from(initial_velocity);
@@ -97,7 +94,8 @@ namespace Thalweg
     }
     {
       dealii::TimerOutput::Scope scope(context.timers, "projection");
-      projection.project(population, space, fluids, velocity_star, level_set); // (69)
+      projection.project(
+        population, space, fluids, velocity_star, level_set); // (69)
     }
     conditions.set_time(time + dt);
     forces.set_time(time + dt);
@@ -109,7 +107,10 @@ namespace Thalweg
     flow.solve(velocity_star, dt); // (87b) to (87e)
     {
       dealii::TimerOutput::Scope scope(context.timers, "increment");
-      add_increment(population, space, flow.velocity(), velocity_star); // (87) 3
+      add_increment(population,
+                    space,
+                    flow.velocity(),
+                    velocity_star); // (87) 3
     }
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");

@@ -24,11 +24,11 @@ namespace Thalweg
     using Index                 = dealii::types::particle_index;
     const MPI_Comm communicator = mesh_.triangulation().get_communicator();
 
-    const std::uint64_t id
-      = first_id
-        + std::uint64_t(n_created)
-            * dealii::Utilities::MPI::n_mpi_processes(communicator)
-        + dealii::Utilities::MPI::this_mpi_process(communicator);
+    const std::uint64_t id =
+      first_id +
+      std::uint64_t(n_created) *
+        dealii::Utilities::MPI::n_mpi_processes(communicator) +
+      dealii::Utilities::MPI::this_mpi_process(communicator);
     AssertThrow(id < std::numeric_limits<Index>::max(),
                 dealii::ExcMessage(
                   "The run has created more particles than this deal.II has "

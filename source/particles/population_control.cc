@@ -57,7 +57,7 @@ namespace Thalweg
     template <int dim>
     struct Holes
     {
-      std::vector<unsigned int> cells;
+      std::vector<unsigned int>       cells;
       std::vector<dealii::Point<dim>> reference_points;
     };
 
@@ -66,25 +66,25 @@ namespace Thalweg
     find_holes(const Population<dim> &population, const unsigned int minimum)
     {
       const auto &graph = population.mesh().graph();
-      Holes<dim> holes;
+      Holes<dim>  holes;
       for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
-      {
-        unsigned int n = 0;
-        std::array<bool, 1u << dim> occupied{};
-        for (const auto &particle :
-             population.handler().particles_in_cell(graph.iterator(i)))
         {
-          occupied[sub_cell(particle.get_reference_location())] = true;
-          ++n;
-        }
-        if (n < minimum)
-          for (unsigned int s = 0; s < occupied.size(); ++s)
-            if (!occupied[s])
+          unsigned int                n = 0;
+          std::array<bool, 1u << dim> occupied{};
+          for (const auto &particle :
+               population.handler().particles_in_cell(graph.iterator(i)))
             {
-              holes.cells.push_back(i);
-              holes.reference_points.push_back(sub_cell_center<dim>(s));
+              occupied[sub_cell(particle.get_reference_location())] = true;
+              ++n;
             }
-      }
+          if (n < minimum)
+            for (unsigned int s = 0; s < occupied.size(); ++s)
+              if (!occupied[s])
+                {
+                  holes.cells.push_back(i);
+                  holes.reference_points.push_back(sub_cell_center<dim>(s));
+                }
+        }
       return holes;
     }
 
@@ -93,8 +93,8 @@ namespace Thalweg
     struct Group
     {
       std::vector<typename Population<dim>::Iterator> particles;
-      std::vector<dealii::Point<dim>> points;
-      std::vector<bool> is_removed;
+      std::vector<dealii::Point<dim>>                 points;
+      std::vector<bool>                               is_removed;
 
       void
       clear()
@@ -117,13 +117,14 @@ namespace Thalweg
       void
       remove_one()
       {
-        double nearest       = std::numeric_limits<double>::max();
+        double       nearest = std::numeric_limits<double>::max();
         unsigned int removed = 0;
         const auto   choose  = [&](const unsigned int i, const unsigned int j) {
           const double distance = points[i].distance(points[j]);
           if (distance > nearest + round_off)
             return;
-          const unsigned int later = stands_before(points[i], points[j]) ? j : i;
+          const unsigned int later =
+            stands_before(points[i], points[j]) ? j : i;
           if (distance < nearest - round_off ||
               stands_before(points[removed], points[later]))
             removed = later;
@@ -192,8 +193,8 @@ namespace Thalweg
 
   template <int dim>
   PopulationControl<dim>::PopulationControl(
-    const PopulationParameters<dim> &parameters,
-    const StreamlineConvection<dim> &convection,
+    const PopulationParameters<dim>                    &parameters,
+    const StreamlineConvection<dim>                    &convection,
     const std::map<dealii::types::boundary_id, double> &inflow_level_set)
     : parameters(parameters)
     , convection(convection)
@@ -207,9 +208,9 @@ namespace Thalweg
   double
   PopulationControl<dim>::level_set_value(const Foot<dim> &foot) const
   {
-    const auto inflow = inflow_level_set.find(foot.boundary);
-    const double value
-      = inflow == inflow_level_set.end() ? foot.level_set : inflow->second;
+    const auto   inflow = inflow_level_set.find(foot.boundary);
+    const double value =
+      inflow == inflow_level_set.end() ? foot.level_set : inflow->second;
     if (!parameters.level_set_is_sign)
       return value;
     return value < 0 ? -1. : 1.;
@@ -218,34 +219,36 @@ namespace Thalweg
 
   template <int dim>
   unsigned int
-  PopulationControl<dim>::fill_empty_cells(Population<dim> &population,
+  PopulationControl<dim>::fill_empty_cells(Population<dim>         &population,
                                            const CellVelocity<dim> &velocity,
                                            const CellField<dim, 1> &level_set,
-                                           const double dt) const
+                                           const double             dt) const
   {
-    const Holes<dim> holes
-      = find_holes(population, parameters.minimum_per_cell);
+    const Holes<dim> holes =
+      find_holes(population, parameters.minimum_per_cell);
     const auto feet = convection.trace_back(
       holes.cells, holes.reference_points, velocity, level_set, dt);
 
-    const auto &mesh = population.mesh();
-    auto &handler    = population.handler();
+    const auto &mesh    = population.mesh();
+    auto       &handler = population.handler();
     std::array<double, Population<dim>::n_properties> properties;
     for (unsigned int i = 0; i < feet.size(); ++i)
-    {
-      const auto &cell      = mesh.graph().iterator(holes.cells[i]);
-      const auto &reference = holes.reference_points[i];
-      std::copy(feet[i].velocity.begin(),
-                feet[i].velocity.end(),
-                properties.begin() + Population<dim>::velocity_offset);
-      properties[Population<dim>::level_set_offset] = level_set_value(feet[i]);
-      handler.insert_particle(
-        mesh.mapping().transform_unit_to_real_cell(cell, reference),
-        reference,
-        population.next_id(),
-        cell,
-        dealii::ArrayView<const double>(properties.data(), properties.size()));
-    }
+      {
+        const auto &cell      = mesh.graph().iterator(holes.cells[i]);
+        const auto &reference = holes.reference_points[i];
+        std::copy(feet[i].velocity.begin(),
+                  feet[i].velocity.end(),
+                  properties.begin() + Population<dim>::velocity_offset);
+        properties[Population<dim>::level_set_offset] =
+          level_set_value(feet[i]);
+        handler.insert_particle(
+          mesh.mapping().transform_unit_to_real_cell(cell, reference),
+          reference,
+          population.next_id(),
+          cell,
+          dealii::ArrayView<const double>(properties.data(),
+                                          properties.size()));
+      }
     handler.update_cached_numbers();
     return feet.size();
   }
@@ -255,41 +258,43 @@ namespace Thalweg
   unsigned int
   PopulationControl<dim>::limit(Population<dim> &population) const
   {
-    const auto &graph          = population.mesh().graph();
+    const auto        &graph   = population.mesh().graph();
     const unsigned int maximum = parameters.maximum_per_cell;
-    auto &handler              = population.handler();
+    auto              &handler = population.handler();
 
     std::vector<typename Population<dim>::Iterator> to_remove;
-    std::array<Group<dim>, 2> groups;
+    std::array<Group<dim>, 2>                       groups;
     for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
-    {
-      const auto &cell = graph.iterator(i);
-      if (handler.n_particles_in_cell(cell) <= maximum)
-        continue;
-      for (auto &group : groups)
-        group.clear();
-      const auto particles = handler.particles_in_cell(cell);
-      for (auto particle = particles.begin(); particle != particles.end();
-           ++particle)
-        groups[particle->get_properties()[Population<dim>::level_set_offset] < 0
-                 ? 0
-                 : 1]
-          .add(particle);
-
-      const unsigned int n
-        = groups[0].particles.size() + groups[1].particles.size();
-      const unsigned int n_negative
-        = share(groups[0].particles.size(), n, maximum);
-      const unsigned int n_kept[] = {n_negative, maximum - n_negative};
-      for (unsigned int g = 0; g < 2; ++g)
       {
-        for (unsigned int k = groups[g].particles.size(); k > n_kept[g]; --k)
-          groups[g].remove_one();
-        for (unsigned int p = 0; p < groups[g].particles.size(); ++p)
-          if (groups[g].is_removed[p])
-            to_remove.push_back(groups[g].particles[p]);
+        const auto &cell = graph.iterator(i);
+        if (handler.n_particles_in_cell(cell) <= maximum)
+          continue;
+        for (auto &group : groups)
+          group.clear();
+        const auto particles = handler.particles_in_cell(cell);
+        for (auto particle = particles.begin(); particle != particles.end();
+             ++particle)
+          groups[particle->get_properties()[Population<dim>::level_set_offset] <
+                     0
+                   ? 0
+                   : 1]
+            .add(particle);
+
+        const unsigned int n =
+          groups[0].particles.size() + groups[1].particles.size();
+        const unsigned int n_negative =
+          share(groups[0].particles.size(), n, maximum);
+        const unsigned int n_kept[] = {n_negative, maximum - n_negative};
+        for (unsigned int g = 0; g < 2; ++g)
+          {
+            for (unsigned int k = groups[g].particles.size(); k > n_kept[g];
+                 --k)
+              groups[g].remove_one();
+            for (unsigned int p = 0; p < groups[g].particles.size(); ++p)
+              if (groups[g].is_removed[p])
+                to_remove.push_back(groups[g].particles[p]);
+          }
       }
-    }
     handler.remove_particles(to_remove);
     return to_remove.size();
   }

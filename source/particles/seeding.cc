@@ -40,28 +40,28 @@ namespace Thalweg
     double
     symmetric_unit(const std::uint64_t bits)
     {
-      return static_cast<double>(bits >> 11) / static_cast<double>(1ull << 52)
-             - 1.;
+      return static_cast<double>(bits >> 11) / static_cast<double>(1ull << 52) -
+             1.;
     }
 
     /// The place of the k-th particle of a cell in the cell's coordinates.
     template <int dim>
     dealii::Point<dim>
-    place(const unsigned int k,
-          const unsigned int n,
-          const double jitter,
+    place(const unsigned int  k,
+          const unsigned int  n,
+          const double        jitter,
           const std::uint64_t cell_hash)
     {
       dealii::Point<dim> reference;
-      unsigned int rest = k;
+      unsigned int       rest = k;
       for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double displacement
-          = jitter > 0 ? jitter * symmetric_unit(mix(cell_hash + dim * k + d))
+        {
+          const double displacement =
+            jitter > 0 ? jitter * symmetric_unit(mix(cell_hash + dim * k + d))
                        : 0.;
-        reference[d] = (rest % n + 0.5 + 0.5 * displacement) / n;
-        rest /= n;
-      }
+          reference[d] = (rest % n + 0.5 + 0.5 * displacement) / n;
+          rest /= n;
+        }
       return reference;
     }
 
@@ -74,7 +74,7 @@ namespace Thalweg
     std::vector<std::uint64_t>
     forest_order(const Mesh<dim> &mesh)
     {
-      const auto &graph = mesh.graph();
+      const auto                                          &graph = mesh.graph();
       std::vector<std::pair<dealii::CellId, unsigned int>> cells;
       cells.reserve(graph.n_owned_cells());
       for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
@@ -112,8 +112,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  seed(Population<dim> &population,
-       const SeedingParameters &parameters,
+  seed(Population<dim>             &population,
+       const SeedingParameters     &parameters,
        const dealii::Function<dim> &velocity,
        const dealii::Function<dim> &level_set)
   {
@@ -121,48 +121,48 @@ namespace Thalweg
                 dealii::ExcMessage(
                   "The initial velocity needs one component a dimension, the "
                   "initial level set exactly one."));
-    const auto &mesh              = population.mesh();
-    const unsigned int n          = parameters.particles_per_direction;
-    const unsigned int n_per_cell = dealii::Utilities::pow(n, dim);
-    const std::uint64_t n_ids
-      = std::uint64_t(mesh.triangulation().n_global_active_cells())
-        * n_per_cell;
+    const auto         &mesh       = population.mesh();
+    const unsigned int  n          = parameters.particles_per_direction;
+    const unsigned int  n_per_cell = dealii::Utilities::pow(n, dim);
+    const std::uint64_t n_ids =
+      std::uint64_t(mesh.triangulation().n_global_active_cells()) * n_per_cell;
     AssertThrow(
       n_ids < std::numeric_limits<dealii::types::particle_index>::max(),
-      dealii::ExcMessage("These are " + std::to_string(n_ids)
-                         + " particles, more than this deal.II has numbers "
-                           "for. Ask for fewer 'Particles per direction' or a "
-                           "coarser mesh, or use a deal.II with 64-bit "
-                           "indices."));
+      dealii::ExcMessage("These are " + std::to_string(n_ids) +
+                         " particles, more than this deal.II has numbers "
+                         "for. Ask for fewer 'Particles per direction' or a "
+                         "coarser mesh, or use a deal.II with 64-bit "
+                         "indices."));
 
-    const auto order = forest_order(mesh);
-    auto &handler    = population.handler();
+    const auto order   = forest_order(mesh);
+    auto      &handler = population.handler();
     handler.reserve(std::size_t(mesh.graph().n_owned_cells()) * n_per_cell);
-    dealii::Vector<double> value(dim);
+    dealii::Vector<double>                            value(dim);
     std::array<double, Population<dim>::n_properties> properties;
     for (unsigned int i = 0; i < mesh.graph().n_owned_cells(); ++i)
-    {
-      const auto &cell = mesh.graph().iterator(i);
-      const std::uint64_t cell_hash
-        = parameters.jitter > 0 ? hash<dim>(cell->id()) : 0;
-      for (unsigned int k = 0; k < n_per_cell; ++k)
       {
-        const auto reference = place<dim>(k, n, parameters.jitter, cell_hash);
-        const auto position
-          = mesh.mapping().transform_unit_to_real_cell(cell, reference);
-        velocity.vector_value(position, value);
-        for (unsigned int d = 0; d < dim; ++d)
-          properties[Population<dim>::velocity_offset + d] = value[d];
-        properties[Population<dim>::level_set_offset]
-          = level_set.value(position);
-        handler.insert_particle(position,
-                                reference,
-                                order[i] * n_per_cell + k,
-                                cell,
-                                dealii::ArrayView<const double>(
-                                  properties.data(), properties.size()));
+        const auto         &cell = mesh.graph().iterator(i);
+        const std::uint64_t cell_hash =
+          parameters.jitter > 0 ? hash<dim>(cell->id()) : 0;
+        for (unsigned int k = 0; k < n_per_cell; ++k)
+          {
+            const auto reference =
+              place<dim>(k, n, parameters.jitter, cell_hash);
+            const auto position =
+              mesh.mapping().transform_unit_to_real_cell(cell, reference);
+            velocity.vector_value(position, value);
+            for (unsigned int d = 0; d < dim; ++d)
+              properties[Population<dim>::velocity_offset + d] = value[d];
+            properties[Population<dim>::level_set_offset] =
+              level_set.value(position);
+            handler.insert_particle(position,
+                                    reference,
+                                    order[i] * n_per_cell + k,
+                                    cell,
+                                    dealii::ArrayView<const double>(
+                                      properties.data(), properties.size()));
+          }
       }
-    }
     handler.update_cached_numbers();
     population.reserve_ids_below(n_ids);
   }

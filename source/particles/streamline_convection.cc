@@ -15,7 +15,7 @@ namespace Thalweg
     template <int dim>
     struct Particle
     {
-      dealii::types::particle_index id;
+      dealii::types::particle_index                     id;
       std::array<double, Population<dim>::n_properties> properties;
     };
 
@@ -30,18 +30,18 @@ namespace Thalweg
     template <int dim>
     struct Answer
     {
-      unsigned int index;
+      unsigned int               index;
       dealii::types::boundary_id boundary;
-      std::array<double, dim> position;
-      std::array<double, dim> velocity;
-      double level_set;
+      std::array<double, dim>    position;
+      std::array<double, dim>    velocity;
+      double                     level_set;
     };
 
     template <int dim>
     Walker<dim>
-    make_walker(const unsigned int cell,
+    make_walker(const unsigned int        cell,
                 const dealii::Point<dim> &reference,
-                const double time)
+                const double              time)
     {
       Walker<dim> walker;
       for (unsigned int d = 0; d < dim; ++d)
@@ -59,10 +59,10 @@ namespace Thalweg
     /// rank. One pass: these loops wait for the memory.
     template <int dim>
     std::vector<Traveller<dim, Particle<dim>>>
-    start_particles(const Population<dim> &population,
+    start_particles(const Population<dim>     &population,
                     const StreamlineWalk<dim> &walk,
-                    const double dt,
-                    WalkEffort &effort)
+                    const double               dt,
+                    WalkEffort                &effort)
     {
       const auto &handler = population.handler();
       const auto &graph   = population.mesh().graph();
@@ -72,25 +72,25 @@ namespace Thalweg
       unsigned int cell       = dealii::numbers::invalid_unsigned_int;
       unsigned int last_index = dealii::numbers::invalid_unsigned_int;
       for (const auto &particle : handler)
-      {
-        const unsigned int index
-          = particle.get_surrounding_cell()->active_cell_index();
-        if (index != last_index)
         {
-          last_index = index;
-          cell       = graph.index_from_active_cell_index(index);
+          const unsigned int index =
+            particle.get_surrounding_cell()->active_cell_index();
+          if (index != last_index)
+            {
+              last_index = index;
+              cell       = graph.index_from_active_cell_index(index);
+            }
+          Traveller<dim, Particle<dim>> traveller;
+          traveller.walker =
+            make_walker<dim>(cell, particle.get_reference_location(), dt);
+          traveller.luggage.id  = particle.get_id();
+          const auto properties = particle.get_properties();
+          std::copy(properties.begin(),
+                    properties.end(),
+                    traveller.luggage.properties.begin());
+          walk.walk(traveller.walker, effort);
+          travellers.push_back(traveller);
         }
-        Traveller<dim, Particle<dim>> traveller;
-        traveller.walker
-          = make_walker<dim>(cell, particle.get_reference_location(), dt);
-        traveller.luggage.id  = particle.get_id();
-        const auto properties = particle.get_properties();
-        std::copy(properties.begin(),
-                  properties.end(),
-                  traveller.luggage.properties.begin());
-        walk.walk(traveller.walker, effort);
-        travellers.push_back(traveller);
-      }
       return travellers;
     }
 
@@ -105,18 +105,18 @@ namespace Thalweg
     template <int dim>
     Arrivals
     arrivals(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-             const unsigned int n_cells)
+             const unsigned int                                n_cells)
     {
       constexpr unsigned int nowhere = dealii::numbers::invalid_unsigned_int;
-      Arrivals arrivals;
+      Arrivals               arrivals;
       arrivals.begin.resize(n_cells + 1, 0);
       std::vector<unsigned int> cells(travellers.size(), nowhere);
       for (unsigned int i = 0; i < travellers.size(); ++i)
         if (travellers[i].walker.fate == Fate::arrived)
-        {
-          cells[i] = travellers[i].walker.cell;
-          ++arrivals.begin[cells[i] + 1];
-        }
+          {
+            cells[i] = travellers[i].walker.cell;
+            ++arrivals.begin[cells[i] + 1];
+          }
       for (unsigned int c = 0; c < n_cells; ++c)
         arrivals.begin[c + 1] += arrivals.begin[c];
 
@@ -135,12 +135,12 @@ namespace Thalweg
     template <int dim>
     std::size_t
     store_particles(
-      Population<dim> &population,
-      const StreamlineWalk<dim> &walk,
+      Population<dim>                                  &population,
+      const StreamlineWalk<dim>                        &walk,
       const std::vector<Traveller<dim, Particle<dim>>> &travellers)
     {
-      const auto &graph = walk.graph();
-      auto arrived      = arrivals<dim>(travellers, graph.n_owned_cells());
+      const auto &graph   = walk.graph();
+      auto        arrived = arrivals<dim>(travellers, graph.n_owned_cells());
       // One order whatever happened before: a resumed run, whose particles
       // come from a file, continues bit by bit like the straight one.
       const auto by_id = [&](const unsigned int a, const unsigned int b) {
@@ -151,25 +151,25 @@ namespace Thalweg
       handler.clear_particles();
       handler.reserve(arrived.travellers.size());
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      {
-        const auto begin = arrived.travellers.begin() + arrived.begin[c];
-        const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
-        std::sort(begin, end, by_id);
-        for (auto i = begin; i != end; ++i)
         {
-          const auto &[walker, particle] = travellers[*i];
-          dealii::Point<dim> reference;
-          for (unsigned int d = 0; d < dim; ++d)
-            reference[d] = walker.reference[d];
-          handler.insert_particle(
-            walk.position(walker),
-            reference,
-            particle.id,
-            graph.iterator(c),
-            dealii::ArrayView<const double>(particle.properties.data(),
-                                            particle.properties.size()));
+          const auto begin = arrived.travellers.begin() + arrived.begin[c];
+          const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
+          std::sort(begin, end, by_id);
+          for (auto i = begin; i != end; ++i)
+            {
+              const auto &[walker, particle] = travellers[*i];
+              dealii::Point<dim> reference;
+              for (unsigned int d = 0; d < dim; ++d)
+                reference[d] = walker.reference[d];
+              handler.insert_particle(
+                walk.position(walker),
+                reference,
+                particle.id,
+                graph.iterator(c),
+                dealii::ArrayView<const double>(particle.properties.data(),
+                                                particle.properties.size()));
+            }
         }
-      }
       handler.update_cached_numbers();
       return arrived.travellers.size();
     }
@@ -178,15 +178,15 @@ namespace Thalweg
     template <int dim>
     void
     count_missing(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-                  ConvectionReport &report)
+                  ConvectionReport                                 &report)
     {
       for (const auto &[walker, particle] : travellers)
         if (walker.fate == Fate::left)
-        {
-          const double level_set
-            = particle.properties[Population<dim>::level_set_offset];
-          ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
-        }
+          {
+            const double level_set =
+              particle.properties[Population<dim>::level_set_offset];
+            ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
+          }
         else if (walker.fate == Fate::lost)
           ++report.n_lost;
     }
@@ -194,28 +194,28 @@ namespace Thalweg
     /// A field's values at reference coordinates of a cell.
     template <int dim, int n_components, std::size_t n>
     std::array<double, n_components>
-    interpolate(const std::array<double, n> &nodal,
+    interpolate(const std::array<double, n>   &nodal,
                 const std::array<double, dim> &reference)
     {
       std::array<double, n_components> value{};
       for (unsigned int v = 0; v < (1 << dim); ++v)
-      {
-        double shape = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          shape *= (v >> d) & 1 ? reference[d] : 1. - reference[d];
-        for (unsigned int c = 0; c < n_components; ++c)
-          value[c] += shape * nodal[v * n_components + c];
-      }
+        {
+          double shape = 1;
+          for (unsigned int d = 0; d < dim; ++d)
+            shape *= (v >> d) & 1 ? reference[d] : 1. - reference[d];
+          for (unsigned int c = 0; c < n_components; ++c)
+            value[c] += shape * nodal[v * n_components + c];
+        }
       return value;
     }
 
     template <int dim>
     Answer<dim>
     answer(const StreamlineWalk<dim> &walk,
-           const Walker<dim> &walker,
-           const unsigned int index,
-           const CellVelocity<dim> &velocity,
-           const CellField<dim, 1> &level_set)
+           const Walker<dim>         &walker,
+           const unsigned int         index,
+           const CellVelocity<dim>   &velocity,
+           const CellField<dim, 1>   &level_set)
     {
       Answer<dim> answer;
       answer.index    = index;
@@ -226,10 +226,10 @@ namespace Thalweg
       const dealii::Point<dim> position = walk.position(walker);
       for (unsigned int d = 0; d < dim; ++d)
         answer.position[d] = position[d];
-      answer.velocity
-        = interpolate<dim, dim>(velocity[walker.cell], walker.reference);
-      answer.level_set
-        = interpolate<dim, 1>(level_set[walker.cell], walker.reference)[0];
+      answer.velocity =
+        interpolate<dim, dim>(velocity[walker.cell], walker.reference);
+      answer.level_set =
+        interpolate<dim, 1>(level_set[walker.cell], walker.reference)[0];
       return answer;
     }
 
@@ -298,21 +298,21 @@ namespace Thalweg
 
   template <int dim>
   StreamlineConvection<dim>::StreamlineConvection(
-    const Mesh<dim> &mesh,
-    const ConvectionParameters &parameters,
+    const Mesh<dim>                                      &mesh,
+    const ConvectionParameters                           &parameters,
     const std::map<dealii::types::boundary_id, WallKind> &walls)
     : mesh_(mesh)
   {
-    AssertThrow(parameters.substep_courant_number > 0
-                  && parameters.substep_courant_number <= 1,
+    AssertThrow(parameters.substep_courant_number > 0 &&
+                  parameters.substep_courant_number <= 1,
                 dealii::ExcMessage(
                   "The 'Substep Courant number' of the particles must be "
                   "greater than 0 and not above 1, for example 0.5."));
-    AssertThrow(parameters.integrator == "rk2"
-                  || parameters.integrator == "rk4",
+    AssertThrow(parameters.integrator == "rk2" ||
+                  parameters.integrator == "rk4",
                 dealii::ExcMessage("The particles' 'Integrator' must be 'rk2' "
-                                   "or 'rk4', not '"
-                                   + parameters.integrator + "'."));
+                                   "or 'rk4', not '" +
+                                   parameters.integrator + "'."));
     settings.scheme  = parameters.integrator == "rk2" ? StreamlineScheme::rk2
                                                       : StreamlineScheme::rk4;
     settings.substep = parameters.substep_courant_number;
@@ -322,21 +322,21 @@ namespace Thalweg
 
   template <int dim>
   ConvectionReport
-  StreamlineConvection<dim>::move(Population<dim> &population,
+  StreamlineConvection<dim>::move(Population<dim>         &population,
                                   const CellVelocity<dim> &velocity,
-                                  const double dt) const
+                                  const double             dt) const
   {
     Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
     const StreamlineWalk<dim> walk(mesh_.graph(), velocity, settings, 1.);
 
     WalkEffort effort;
-    auto travellers = start_particles(population, walk, dt, effort);
+    auto       travellers = start_particles(population, walk, dt, effort);
     walk_on_other_ranks(walk,
                         mesh_.triangulation().get_communicator(),
                         travellers,
                         effort);
-    const std::size_t n_stored
-      = store_particles<dim>(population, walk, travellers);
+    const std::size_t n_stored =
+      store_particles<dim>(population, walk, travellers);
 
     ConvectionReport report;
     report.n_moved         = travellers.size();
@@ -351,11 +351,11 @@ namespace Thalweg
   template <int dim>
   std::vector<Foot<dim>>
   StreamlineConvection<dim>::trace_back(
-    const std::vector<unsigned int> &cells,
+    const std::vector<unsigned int>       &cells,
     const std::vector<dealii::Point<dim>> &reference_points,
-    const CellVelocity<dim> &velocity,
-    const CellField<dim, 1> &level_set,
-    const double dt) const
+    const CellVelocity<dim>               &velocity,
+    const CellField<dim, 1>               &level_set,
+    const double                           dt) const
   {
     AssertDimension(cells.size(), reference_points.size());
     const MPI_Comm communicator = mesh_.triangulation().get_communicator();

@@ -20,9 +20,8 @@ namespace Thalweg
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
         const int cut_index = phase.cut_index(c);
-        auto      mass      = cut_index < 0 ?
-                                integrals.node_measures(graph.cell(c)) :
-                                phase.cut_cells()[cut_index].mass;
+        auto      mass = cut_index < 0 ? integrals.node_measures(graph.cell(c))
+                                       : phase.cut_cells()[cut_index].mass;
         if (cut_index < 0)
           for (double &value : mass)
             value *= phase.fluid(c).density;
@@ -40,9 +39,9 @@ namespace Thalweg
             energy[1] += mass[v] * height;
             const unsigned int fluid =
               solution.fluids.size() == 2 &&
-                  solution.level_set.local_element(node) > 0 ?
-                1 :
-                0;
+                  solution.level_set.local_element(node) > 0
+                ? 1
+                : 0;
             fastest[fluid] = std::max(fastest[fluid], std::sqrt(square));
           }
       }

@@ -59,20 +59,20 @@ namespace Thalweg
       return;
     last_line = Clock::now();
     char text[256];
-    std::snprintf(text,
-                  sizeof(text),
-                  "step %6u   t = %9.4g of %.4g s   dt = %8.2e s   "
-                  "Co = %5.2f   particles = %.0f   left: %s",
-                  step,
-                  time,
-                  end_time,
-                  dt,
-                  courant_number,
-                  n_particles,
-                  time > 0 ? duration(seconds_since(start) *
-                                      (end_time - time) / time)
-                               .c_str() :
-                             "?");
+    std::snprintf(
+      text,
+      sizeof(text),
+      "step %6u   t = %9.4g of %.4g s   dt = %8.2e s   "
+      "Co = %5.2f   particles = %.0f   left: %s",
+      step,
+      time,
+      end_time,
+      dt,
+      courant_number,
+      n_particles,
+      time > 0
+        ? duration(seconds_since(start) * (end_time - time) / time).c_str()
+        : "?");
     context.log.line(text);
   }
 

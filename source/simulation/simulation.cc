@@ -79,9 +79,10 @@ namespace Thalweg
   {
     mesh.create(parameters.mesh);
     parameters.forces.initialize();
-    space      = std::make_unique<NodeSpace<dim>>(mesh);
-    conditions = std::make_unique<BoundaryConditions<dim>>(
-      parameters.boundary_conditions, mesh);
+    space = std::make_unique<NodeSpace<dim>>(mesh);
+    conditions =
+      std::make_unique<BoundaryConditions<dim>>(parameters.boundary_conditions,
+                                                mesh);
     boundary   = std::make_unique<BoundaryNodes<dim>>(*space, *conditions);
     population = std::make_unique<Population<dim>>(mesh);
 
@@ -95,12 +96,14 @@ namespace Thalweg
         if (passable)
           inflow[id] =
             carried_distance() *
-            Fluids::sign(condition.inflow_fluid.empty() ?
-                           parameters.fluids.size() - 1 :
-                           parameters.fluids.index(condition.inflow_fluid));
+            Fluids::sign(condition.inflow_fluid.empty()
+                           ? parameters.fluids.size() - 1
+                           : parameters.fluids.index(condition.inflow_fluid));
       }
-    convection = std::make_unique<StreamlineConvection<dim>>(
-      mesh, parameters.convection, walls);
+    convection =
+      std::make_unique<StreamlineConvection<dim>>(mesh,
+                                                  parameters.convection,
+                                                  walls);
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
     control = std::make_unique<PopulationControl<dim>>(parameters.population,
@@ -115,8 +118,10 @@ namespace Thalweg
     const auto velocity = parse_expression<dim>(parameters.initial_velocity,
                                                 dim,
                                                 "Initial conditions/Velocity");
-    const auto level_set = parse_expression<dim>(
-      parameters.initial_level_set, 1, "Initial conditions/Level set");
+    const auto level_set =
+      parse_expression<dim>(parameters.initial_level_set,
+                            1,
+                            "Initial conditions/Level set");
     seed(*population,
          parameters.seeding,
          *velocity,
@@ -197,14 +202,14 @@ namespace Thalweg
               {
                 const double u =
                   velocity.local_element(dim * space->nodes(c)[v] + d);
-                sum = std::max(sum,
-                               std::abs(u) * graph.cell(c).inverse_extent[d]);
+                sum =
+                  std::max(sum, std::abs(u) * graph.cell(c).inverse_extent[d]);
                 squares += u * u;
               }
             rate = std::max(rate,
-                            graph.cell(c).axis_parallel ?
-                              sum :
-                              std::sqrt(squares) / shortest);
+                            graph.cell(c).axis_parallel
+                              ? sum
+                              : std::sqrt(squares) / shortest);
           }
       }
     return dealii::Utilities::MPI::max(rate, context.communicator);
@@ -225,8 +230,7 @@ namespace Thalweg
     }
     context.log.line(
       std::to_string(mesh.triangulation().n_global_active_cells()) +
-      " cells, " + std::to_string(space->n_dofs()) +
-      " degrees of freedom, " +
+      " cells, " + std::to_string(space->n_dofs()) + " degrees of freedom, " +
       std::to_string(population->n_global_particles()) + " particles on " +
       std::to_string(
         dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
@@ -284,8 +288,7 @@ namespace Thalweg
     statistics.set("dofs", space->n_dofs());
     statistics.set("volume 1 before shift [m^d]", phase->volume_before_shift());
     statistics.set("volume 1 [m^d]", phase->volume());
-    statistics.set("volume 2 [m^d]",
-                   phase->total_volume() - phase->volume());
+    statistics.set("volume 2 [m^d]", phase->total_volume() - phase->volume());
     statistics.set("target volume 1 [m^d]", phase->target_volume);
     statistics.set("level set shift", phase->shift());
     for (const auto &[name, value] :

@@ -63,8 +63,7 @@ namespace Thalweg
                                      "; it must be positive."));
     };
     AssertThrow(end >= 0,
-                dealii::ExcMessage("'Time/End time' is " +
-                                   std::to_string(end) +
+                dealii::ExcMessage("'Time/End time' is " + std::to_string(end) +
                                    "; time runs from zero to later."));
     AssertThrow(fixed_step >= 0,
                 dealii::ExcMessage(
@@ -109,8 +108,8 @@ namespace Thalweg
         dt = std::min(dt, old_dt > 0 ? growth * old_dt : first);
         AssertThrow(dt >= minimum,
                     dealii::ExcMessage(
-                      "At t = " + std::to_string(time) +
-                      " s a step of " + std::to_string(dt) +
+                      "At t = " + std::to_string(time) + " s a step of " +
+                      std::to_string(dt) +
                       " s would be needed for the Courant number, which is "
                       "less than 'Time/Minimum step': the solution is "
                       "probably blowing up."));
@@ -118,9 +117,9 @@ namespace Thalweg
     // Hit the target in equal steps rather than with a tiny last one.
     double target = end;
     if (hit_multiples > 0)
-      target =
-        std::min(end,
-                 hit_multiples * (std::floor(time / hit_multiples + 1e-6) + 1.));
+      target = std::min(end,
+                        hit_multiples *
+                          (std::floor(time / hit_multiples + 1e-6) + 1.));
     const double left = target - time;
     if (left < (1. + 1e-9) * dt)
       return left;

@@ -13,7 +13,7 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto                             &nodes = space.nodes(c);
+        const auto                         &nodes = space.nodes(c);
         std::array<double, dim *(1 << dim)> increment;
         for (unsigned int v = 0; v < nodes.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)

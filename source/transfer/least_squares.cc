@@ -106,9 +106,8 @@ namespace Thalweg
   {
   public:
     LeastSquares()
-      : average(Registry<Projection<dim>>::entries()
-                  .at("weighted average")
-                  .make())
+      : average(
+          Registry<Projection<dim>>::entries().at("weighted average").make())
     {}
 
     void
@@ -146,7 +145,7 @@ namespace Thalweg
     const auto              &geometry = space.mesh().graph().cell(cell);
     const auto              &nodes    = space.nodes(cell);
     std::vector<Target<dim>> result;
-    const auto add = [&result](const unsigned int        node,
+    const auto               add = [&result](const unsigned int        node,
                                const dealii::Point<dim> &position,
                                const unsigned int        vertex,
                                const double              weight) {
@@ -191,8 +190,8 @@ namespace Thalweg
                                 const double           length,
                                 Moments<dim>          &moments) const
   {
-    constexpr unsigned int n    = dim + 1;
-    const auto             list = targets(space, cell);
+    constexpr unsigned int                 n    = dim + 1;
+    const auto                             list = targets(space, cell);
     std::vector<std::array<double, n * n>> matrix(list.size());
     std::vector<std::array<double, n>>     load(list.size());
     for (unsigned int t = 0; t < list.size(); ++t)

@@ -50,16 +50,16 @@ namespace Thalweg
              const unsigned int     cell,
              Sums                  &sums)
     {
-      constexpr unsigned int         n = 1 << dim;
-      std::array<double, n>          weight{}, level_set{}, mass{};
-      std::array<double, dim * n>    momentum{};
+      constexpr unsigned int      n = 1 << dim;
+      std::array<double, n>       weight{}, level_set{}, mass{};
+      std::array<double, dim * n> momentum{};
       for (const auto &particle : population.handler().particles_in_cell(
              population.mesh().graph().iterator(cell)))
         {
-          const auto   shape = Q1::values<dim>(particle.get_reference_location());
-          const auto   properties = particle.get_properties();
-          const double phi = properties[Population<dim>::level_set_offset];
-          const double density = fluids.at(phi).density;
+          const auto shape = Q1::values<dim>(particle.get_reference_location());
+          const auto properties = particle.get_properties();
+          const double phi      = properties[Population<dim>::level_set_offset];
+          const double density  = fluids.at(phi).density;
           for (unsigned int v = 0; v < n; ++v)
             {
               weight[v] += shape[v];

@@ -2,9 +2,8 @@
 #include <thalweg/interface/cut_cell.h>
 #include <thalweg/interface/simplex_cut.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 using namespace Thalweg;
 
@@ -68,19 +67,19 @@ TEST(SimplexCut, PlanesCutExactVolumes)
 {
   for (const double height : {1e-9, .1, .5, .77, 1. - 1e-9})
     {
-      EXPECT_NEAR(SimplexCut::negative_fraction<2>(
-                    at_vertices<2>([=](const auto &x) { return x[1] - height; })),
+      EXPECT_NEAR(SimplexCut::negative_fraction<2>(at_vertices<2>(
+                    [=](const auto &x) { return x[1] - height; })),
                   height,
                   1e-14);
-      EXPECT_NEAR(SimplexCut::negative_fraction<3>(
-                    at_vertices<3>([=](const auto &x) { return x[2] - height; })),
+      EXPECT_NEAR(SimplexCut::negative_fraction<3>(at_vertices<3>(
+                    [=](const auto &x) { return x[2] - height; })),
                   height,
                   1e-14);
     }
   // a corner cut off: c^dim / dim!
   const double c = .4;
-  EXPECT_NEAR(SimplexCut::negative_fraction<2>(at_vertices<2>(
-                [=](const auto &x) { return x[0] + x[1] - c; })),
+  EXPECT_NEAR(SimplexCut::negative_fraction<2>(
+                at_vertices<2>([=](const auto &x) { return x[0] + x[1] - c; })),
               c * c / 2,
               1e-14);
   EXPECT_NEAR(SimplexCut::negative_fraction<3>(at_vertices<3>(
@@ -93,7 +92,7 @@ TEST(SimplexCut, PlanesCutExactVolumes)
 
 TEST(SimplexCut, BothSidesAddUp)
 {
-  std::array<double, 8> phi = {{-.3, .2, .7, -.1, .4, -.9, .05, .6}};
+  std::array<double, 8> phi      = {{-.3, .2, .7, -.1, .4, -.9, .05, .6}};
   const double          negative = SimplexCut::negative_fraction<3>(phi);
   for (double &value : phi)
     value = -value;
@@ -136,7 +135,7 @@ check_hydrostatic_balance(const double offset)
   // phi = -g.x/|g|^2 - offset: the level of the liquid
   std::array<double, (1 << dim)> phi, w, p;
   const Fluids                   fluids;
-  const double                   rho[2] = {fluids[0].density, fluids[1].density};
+  const double rho[2] = {fluids[0].density, fluids[1].density};
   for (unsigned int v = 0; v < phi.size(); ++v)
     {
       phi[v] = -(g * cell.vertices[v]) / g.norm_square() - offset;
@@ -144,8 +143,7 @@ check_hydrostatic_balance(const double offset)
       // p = -rho |g|^2 phi on each side
       p[v] = -(phi[v] < 0 ? rho[0] : rho[1]) * g.norm_square() * phi[v];
     }
-  const auto cut =
-    integrate_cut_cell<dim>(0, cell, phi, w, fluids, true);
+  const auto cut = integrate_cut_cell<dim>(0, cell, phi, w, fluids, true);
   ASSERT_TRUE(cut.enriched);
 
   double scale = 0;
@@ -163,7 +161,8 @@ check_hydrostatic_balance(const double offset)
         {
           const Q1::Gauss<dim> gauss;
           const auto           point = gauss.evaluate(cell, q);
-          expected += gauss.weight * point.determinant * (g * point.gradients[i]);
+          expected +=
+            gauss.weight * point.determinant * (g * point.gradients[i]);
         }
       EXPECT_NEAR(row, expected, 1e-10 * std::abs(expected) + 1e-12);
     }

@@ -11,22 +11,22 @@ TEST(SeedingMpi, JitteredParticlesAreTheSameOnAnyNumberOfRanks)
   std::map<unsigned int, Point<3>> result[2];
   const MPI_Comm communicators[2] = {MPI_COMM_WORLD, MPI_COMM_SELF};
   for (unsigned int i = 0; i < 2; ++i)
-  {
-    Thalweg::Mesh<3> mesh(communicators[i]);
-    make_box(mesh, 3);
-    refine_around(mesh, Point<3>(0.2, 0.7, 0.5), 0.4);
-    Thalweg::Population<3> population(mesh);
-    seed_plain(population, 2, 1.);
-    EXPECT_EQ(population.n_global_particles(),
-              8u * mesh.triangulation().n_global_active_cells());
-    result[i] = i == 0 ? all_positions(population) : positions(population);
-  }
+    {
+      Thalweg::Mesh<3> mesh(communicators[i]);
+      make_box(mesh, 3);
+      refine_around(mesh, Point<3>(0.2, 0.7, 0.5), 0.4);
+      Thalweg::Population<3> population(mesh);
+      seed_plain(population, 2, 1.);
+      EXPECT_EQ(population.n_global_particles(),
+                8u * mesh.triangulation().n_global_active_cells());
+      result[i] = i == 0 ? all_positions(population) : positions(population);
+    }
   ASSERT_EQ(result[0].size(), result[1].size());
   for (const auto &[id, p] : result[0])
-  {
-    ASSERT_EQ(result[1].count(id), 1u);
-    EXPECT_EQ(p.distance(result[1].at(id)), 0.);
-  }
+    {
+      ASSERT_EQ(result[1].count(id), 1u);
+      EXPECT_EQ(p.distance(result[1].at(id)), 0.);
+    }
 }
 
 
@@ -39,12 +39,12 @@ TEST(SeedingMpi, JitterStaysInTheSubCellAndDiffersFromCellToCell)
   std::set<double> coordinates;
   for (const auto &particle : population.handler())
     for (unsigned int d = 0; d < 2; ++d)
-    {
-      const double x      = 3. * particle.get_reference_location()[d];
-      const double center = std::floor(x) + 0.5;
-      EXPECT_LE(std::abs(x - center), 0.25);
-      coordinates.insert(x - center);
-    }
+      {
+        const double x      = 3. * particle.get_reference_location()[d];
+        const double center = std::floor(x) + 0.5;
+        EXPECT_LE(std::abs(x - center), 0.25);
+        coordinates.insert(x - center);
+      }
   EXPECT_EQ(coordinates.size(),
             2u * population.handler().n_locally_owned_particles());
   EXPECT_LE(inconsistency(population), 1e-14);
@@ -63,12 +63,12 @@ TEST(SeedingMpi, RegularParticlesTakeVelocityAndLevelSetFromFunctions)
                 dealii::Functions::Monomial<2>(Tensor<1, 2>({1., 0.})));
   EXPECT_EQ(population.n_global_particles(), 81u);
   for (const auto &particle : population.handler())
-  {
-    const auto properties = particle.get_properties();
-    EXPECT_EQ(properties[0], 2.);
-    EXPECT_EQ(properties[1], -3.);
-    EXPECT_NEAR(properties[2], particle.get_location()[0], 1e-15);
-  }
+    {
+      const auto properties = particle.get_properties();
+      EXPECT_EQ(properties[0], 2.);
+      EXPECT_EQ(properties[1], -3.);
+      EXPECT_NEAR(properties[2], particle.get_location()[0], 1e-15);
+    }
 }
 
 
@@ -79,19 +79,19 @@ TEST(SeedingMpi, NewIdsAreUniqueAndAboveThoseThatExist)
   Thalweg::Population<2> population(mesh);
   seed_plain(population, 2);
   // ranks may create different numbers of particles
-  const unsigned int rank
-    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   std::vector<unsigned int> ids;
   for (unsigned int i = 0; i < 3 * rank + 1; ++i)
     ids.push_back(population.next_id());
   std::set<unsigned int> all;
-  unsigned int n = 0;
+  unsigned int           n = 0;
   for (const auto &of_rank :
        dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, ids))
-  {
-    all.insert(of_rank.begin(), of_rank.end());
-    n += of_rank.size();
-  }
+    {
+      all.insert(of_rank.begin(), of_rank.end());
+      n += of_rank.size();
+    }
   EXPECT_EQ(all.size(), n);
   EXPECT_GE(*all.begin(), 16u);
 

@@ -50,8 +50,8 @@ namespace ParticleTest
   template <int dim>
   void
   refine_around(Thalweg::Mesh<dim> &mesh,
-                const Point<dim> &center,
-                const double radius)
+                const Point<dim>   &center,
+                const double        radius)
   {
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && cell->center().distance(center) < radius)
@@ -86,17 +86,17 @@ namespace ParticleTest
     Thalweg::CellVelocity<dim> values(mesh.graph().n_cells());
     for (unsigned int i = 0; i < values.size(); ++i)
       for (unsigned int v = 0; v < (1 << dim); ++v)
-      {
-        const auto value = field(mesh.graph().cell(i).vertices[v]);
-        for (unsigned int d = 0; d < dim; ++d)
-          values[i][v * dim + d] = value[d];
-      }
+        {
+          const auto value = field(mesh.graph().cell(i).vertices[v]);
+          for (unsigned int d = 0; d < dim; ++d)
+            values[i][v * dim + d] = value[d];
+        }
     return values;
   }
 
   template <int dim>
   Thalweg::CellField<dim, 1>
-  nodal_scalar(const Thalweg::Mesh<dim> &mesh,
+  nodal_scalar(const Thalweg::Mesh<dim>                        &mesh,
                const std::function<double(const Point<dim> &)> &field)
   {
     Thalweg::CellField<dim, 1> values(mesh.graph().n_cells());
@@ -110,8 +110,8 @@ namespace ParticleTest
   template <int dim>
   void
   seed_plain(Thalweg::Population<dim> &population,
-             const unsigned int per_direction,
-             const double jitter = 0)
+             const unsigned int        per_direction,
+             const double              jitter = 0)
   {
     Thalweg::SeedingParameters parameters;
     parameters.particles_per_direction = per_direction;
@@ -155,17 +155,17 @@ namespace ParticleTest
   {
     double worst = 0;
     for (const auto &particle : population.handler())
-    {
-      const auto &reference = particle.get_reference_location();
-      worst                 = std::max(worst,
-                       population.mesh()
-                         .mapping()
-                         .transform_unit_to_real_cell(
-                           particle.get_surrounding_cell(), reference)
-                         .distance(particle.get_location()));
-      for (unsigned int d = 0; d < dim; ++d)
-        worst = std::max({worst, -reference[d], reference[d] - 1.});
-    }
+      {
+        const auto &reference = particle.get_reference_location();
+        worst                 = std::max(worst,
+                         population.mesh()
+                           .mapping()
+                           .transform_unit_to_real_cell(
+                             particle.get_surrounding_cell(), reference)
+                           .distance(particle.get_location()));
+        for (unsigned int d = 0; d < dim; ++d)
+          worst = std::max({worst, -reference[d], reference[d] - 1.});
+      }
     return dealii::Utilities::MPI::max(worst, MPI_COMM_WORLD);
   }
 
@@ -180,11 +180,11 @@ namespace ParticleTest
       if constexpr (dim == 2)
         return Tensor<1, 2>({-r[1], r[0]});
       else
-      {
-        Tensor<1, 3> axis({1., 2., 3.});
-        axis /= axis.norm();
-        return dealii::cross_product_3d(axis, r);
-      }
+        {
+          Tensor<1, 3> axis({1., 2., 3.});
+          axis /= axis.norm();
+          return dealii::cross_product_3d(axis, r);
+        }
     };
   }
 
@@ -194,17 +194,17 @@ namespace ParticleTest
   {
     const Tensor<1, dim> r = p - center;
     if constexpr (dim == 2)
-      return center
-             + Tensor<1, 2>({std::cos(angle) * r[0] - std::sin(angle) * r[1],
-                             std::sin(angle) * r[0] + std::cos(angle) * r[1]});
+      return center +
+             Tensor<1, 2>({std::cos(angle) * r[0] - std::sin(angle) * r[1],
+                           std::sin(angle) * r[0] + std::cos(angle) * r[1]});
     else
-    {
-      Tensor<1, 3> axis({1., 2., 3.});
-      axis /= axis.norm();
-      return center + std::cos(angle) * r
-             + std::sin(angle) * dealii::cross_product_3d(axis, r)
-             + (1. - std::cos(angle)) * (axis * r) * axis;
-    }
+      {
+        Tensor<1, 3> axis({1., 2., 3.});
+        axis /= axis.norm();
+        return center + std::cos(angle) * r +
+               std::sin(angle) * dealii::cross_product_3d(axis, r) +
+               (1. - std::cos(angle)) * (axis * r) * axis;
+      }
   }
 } // namespace ParticleTest
 

@@ -24,8 +24,8 @@ namespace
   template <int dim>
   double
   rotation_error(const Thalweg::Mesh<dim> &mesh,
-                 const std::string &integrator,
-                 const double substep)
+                 const std::string        &integrator,
+                 const double              substep)
   {
     Thalweg::Population<dim> population(mesh);
     seed_plain(population, 2);
@@ -36,8 +36,8 @@ namespace
     parameters.substep_courant_number = substep;
     const Thalweg::StreamlineConvection<dim> convection(mesh, parameters, {});
     const auto velocity = nodal<dim>(mesh, rotation<dim>(middle<dim>()));
-    const auto report
-      = convection.move(population, velocity, 1.).sum(MPI_COMM_WORLD);
+    const auto report =
+      convection.move(population, velocity, 1.).sum(MPI_COMM_WORLD);
     EXPECT_EQ(report.n_lost, 0u);
     EXPECT_LE(inconsistency(population), 1e-12);
 
@@ -102,14 +102,14 @@ namespace
 
     Thalweg::Population<dim> population(mesh);
     seed_plain(population, 3, 0.7);
-    const auto before = all_positions(population);
+    const auto                               before = all_positions(population);
     const Thalweg::StreamlineConvection<dim> convection(mesh, {}, {});
 
     Tensor<1, dim> v;
     v[0]                = -2.;
     const auto velocity = nodal<dim>(mesh, [&](const auto &) { return v; });
-    const auto report
-      = convection.move(population, velocity, 5.).sum(MPI_COMM_WORLD);
+    const auto report =
+      convection.move(population, velocity, 5.).sum(MPI_COMM_WORLD);
 
     EXPECT_EQ(report.n_lost + report.n_left(), 0u);
     const auto after = all_positions(population);
@@ -155,9 +155,9 @@ TEST(StreamlineConvectionMpi, UniformDiagonalFlowIsExact)
   const Thalweg::StreamlineConvection<2> convection(
     mesh, {}, {{0, WallKind::open}, {1, WallKind::open}, {3, WallKind::open}});
   const Tensor<1, 2> v({0.4, 0.4});
-  const auto velocity = nodal<2>(mesh, [&](const auto &) { return v; });
-  const auto report
-    = convection.move(population, velocity, 1.).sum(MPI_COMM_WORLD);
+  const auto         velocity = nodal<2>(mesh, [&](const auto &) { return v; });
+  const auto         report =
+    convection.move(population, velocity, 1.).sum(MPI_COMM_WORLD);
 
   const auto after = all_positions(population);
   EXPECT_EQ(report.n_lost, 0u);
@@ -165,11 +165,11 @@ TEST(StreamlineConvectionMpi, UniformDiagonalFlowIsExact)
   unsigned int n_inside = 0;
   for (const auto &[id, p] : before)
     if (const auto target = p + v; target[0] < 1 && target[1] < 1)
-    {
-      ++n_inside;
-      ASSERT_EQ(after.count(id), 1u);
-      EXPECT_LE(after.at(id).distance(target), 1e-9);
-    }
+      {
+        ++n_inside;
+        ASSERT_EQ(after.count(id), 1u);
+        EXPECT_LE(after.at(id).distance(target), 1e-9);
+      }
   EXPECT_EQ(after.size(), n_inside);
 }
 
@@ -227,26 +227,27 @@ TEST(StreamlineConvectionMpi, ParticlesSlideAroundAnObstacle)
   refine_around(mesh, middle<2>(), 0.4);
 
   for (const double courant : {0.5, 2., 5., 20.})
-  {
-    Thalweg::Population<2> population(mesh);
-    seed_plain(population, 3);
-    const auto n_before = population.n_global_particles();
-    const Thalweg::StreamlineConvection<2> convection(mesh, {}, {});
-    const auto velocity = nodal<2>(mesh, [](const Point<2> &p) {
-      return Tensor<1, 2>({1. + std::sin(9. * p[1]), std::cos(7. * p[0])});
-    });
-    for (unsigned int step = 0; step < 5; ++step)
     {
-      const auto report = convection.move(population, velocity, courant / 24.)
-                            .sum(MPI_COMM_WORLD);
-      EXPECT_EQ(report.n_lost + report.n_left(), 0u);
+      Thalweg::Population<2> population(mesh);
+      seed_plain(population, 3);
+      const auto n_before = population.n_global_particles();
+      const Thalweg::StreamlineConvection<2> convection(mesh, {}, {});
+      const auto velocity = nodal<2>(mesh, [](const Point<2> &p) {
+        return Tensor<1, 2>({1. + std::sin(9. * p[1]), std::cos(7. * p[0])});
+      });
+      for (unsigned int step = 0; step < 5; ++step)
+        {
+          const auto report =
+            convection.move(population, velocity, courant / 24.)
+              .sum(MPI_COMM_WORLD);
+          EXPECT_EQ(report.n_lost + report.n_left(), 0u);
+        }
+      EXPECT_EQ(population.n_global_particles(), n_before);
+      EXPECT_LE(inconsistency(population), 1e-12);
+      for (const auto &[id, p] : all_positions(population))
+        EXPECT_GE(std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)),
+                  1. / 6. - 1e-12);
     }
-    EXPECT_EQ(population.n_global_particles(), n_before);
-    EXPECT_LE(inconsistency(population), 1e-12);
-    for (const auto &[id, p] : all_positions(population))
-      EXPECT_GE(std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5)),
-                1. / 6. - 1e-12);
-  }
 }
 
 
@@ -261,8 +262,8 @@ TEST(StreamlineConvectionMpi, UndefinedVelocityIsCountedAsLost)
     return Tensor<1, 2>(
       {p.norm() < 0.1 ? std::numeric_limits<double>::quiet_NaN() : 0., 0.});
   });
-  const auto report
-    = convection.move(population, velocity, 0.1).sum(MPI_COMM_WORLD);
+  const auto report =
+    convection.move(population, velocity, 0.1).sum(MPI_COMM_WORLD);
   EXPECT_EQ(report.n_lost, 4u);
   EXPECT_EQ(population.n_global_particles(), 60u);
 }
@@ -274,31 +275,31 @@ TEST(StreamlineConvectionMpi, PositionsDoNotDependOnTheNumberOfRanks)
   std::map<unsigned int, Point<2>> result[2];
   const MPI_Comm communicators[2] = {MPI_COMM_WORLD, MPI_COMM_SELF};
   for (unsigned int i = 0; i < 2; ++i)
-  {
-    Thalweg::Mesh<2> mesh(communicators[i]);
-    make_box(mesh, 6);
-    make_periodic(mesh);
-    refine_around(mesh, Point<2>(0.3, 0.6), 0.3);
-    distort(mesh, 0.05);
-    Thalweg::Population<2> population(mesh);
-    seed_plain(population, 3, 0.5);
-    const Thalweg::StreamlineConvection<2> convection(mesh,
-                                                      {},
-                                                      {{3, WallKind::open}});
-    const auto velocity = nodal<2>(mesh, [](const Point<2> &p) {
-      return Tensor<1, 2>(
-        {1.5 + std::sin(6. * p[1]), p[1] * std::sin(5. * p[0])});
-    });
-    for (unsigned int step = 0; step < 3; ++step)
-      convection.move(population, velocity, 0.5);
-    result[i] = i == 0 ? all_positions(population) : positions(population);
-  }
+    {
+      Thalweg::Mesh<2> mesh(communicators[i]);
+      make_box(mesh, 6);
+      make_periodic(mesh);
+      refine_around(mesh, Point<2>(0.3, 0.6), 0.3);
+      distort(mesh, 0.05);
+      Thalweg::Population<2> population(mesh);
+      seed_plain(population, 3, 0.5);
+      const Thalweg::StreamlineConvection<2> convection(mesh,
+                                                        {},
+                                                        {{3, WallKind::open}});
+      const auto velocity = nodal<2>(mesh, [](const Point<2> &p) {
+        return Tensor<1, 2>(
+          {1.5 + std::sin(6. * p[1]), p[1] * std::sin(5. * p[0])});
+      });
+      for (unsigned int step = 0; step < 3; ++step)
+        convection.move(population, velocity, 0.5);
+      result[i] = i == 0 ? all_positions(population) : positions(population);
+    }
   ASSERT_EQ(result[0].size(), result[1].size());
   for (const auto &[id, p] : result[0])
-  {
-    ASSERT_EQ(result[1].count(id), 1u);
-    EXPECT_LE(p.distance(result[1].at(id)), 1e-12);
-  }
+    {
+      ASSERT_EQ(result[1].count(id), 1u);
+      EXPECT_LE(p.distance(result[1].at(id)), 1e-12);
+    }
 }
 
 
@@ -319,43 +320,43 @@ TEST(StreamlineConvectionMpi, TraceBackInvertsTheMove)
   const auto velocity = nodal<2>(mesh, [](const Point<2> &p) {
     return Tensor<1, 2>({1., 0.5 * p[1] * (1. - p[1])});
   });
-  const auto level_set
-    = nodal_scalar<2>(mesh, [](const auto &p) { return p[0] - 0.25 * p[1]; });
+  const auto level_set =
+    nodal_scalar<2>(mesh, [](const auto &p) { return p[0] - 0.25 * p[1]; });
   convection.move(population, velocity, 0.4);
 
   std::vector<unsigned int> cells, ids;
-  std::vector<Point<2>> points;
+  std::vector<Point<2>>     points;
   for (const auto &particle : population.handler())
-  {
-    cells.push_back(mesh.graph().index_from_active_cell_index(
-      particle.get_surrounding_cell()->active_cell_index()));
-    points.push_back(particle.get_reference_location());
-    ids.push_back(particle.get_id());
-  }
+    {
+      cells.push_back(mesh.graph().index_from_active_cell_index(
+        particle.get_surrounding_cell()->active_cell_index()));
+      points.push_back(particle.get_reference_location());
+      ids.push_back(particle.get_id());
+    }
   // and one that came in through the boundary in this time
-  const bool has_corner = mesh.graph().n_owned_cells() > 0
-                          && mesh.graph().cell(0).vertices[0].norm() < 1e-12;
+  const bool has_corner = mesh.graph().n_owned_cells() > 0 &&
+                          mesh.graph().cell(0).vertices[0].norm() < 1e-12;
   if (has_corner)
-  {
-    cells.push_back(0);
-    points.push_back(middle<2>());
-  }
-  const auto feet
-    = convection.trace_back(cells, points, velocity, level_set, 0.4);
+    {
+      cells.push_back(0);
+      points.push_back(middle<2>());
+    }
+  const auto feet =
+    convection.trace_back(cells, points, velocity, level_set, 0.4);
   ASSERT_EQ(feet.size(), cells.size());
   // up to the jumps of this field at hanging nodes
   for (unsigned int i = 0; i < ids.size(); ++i)
-  {
-    EXPECT_TRUE(feet[i].found);
-    EXPECT_EQ(feet[i].boundary, dealii::numbers::invalid_boundary_id);
-    const auto &p = before.at(ids[i]);
-    EXPECT_LE(feet[i].position.distance(p), 2e-4);
-    EXPECT_NEAR(feet[i].velocity[0], 1., 1e-10);
-    EXPECT_NEAR(feet[i].level_set, p[0] - 0.25 * p[1], 2e-4);
-  }
+    {
+      EXPECT_TRUE(feet[i].found);
+      EXPECT_EQ(feet[i].boundary, dealii::numbers::invalid_boundary_id);
+      const auto &p = before.at(ids[i]);
+      EXPECT_LE(feet[i].position.distance(p), 2e-4);
+      EXPECT_NEAR(feet[i].velocity[0], 1., 1e-10);
+      EXPECT_NEAR(feet[i].level_set, p[0] - 0.25 * p[1], 2e-4);
+    }
   if (has_corner)
-  {
-    EXPECT_EQ(feet.back().boundary, 0u);
-    EXPECT_NEAR(feet.back().position[0], 0., 1e-12);
-  }
+    {
+      EXPECT_EQ(feet.back().boundary, 0u);
+      EXPECT_NEAR(feet.back().position[0], 0., 1e-12);
+    }
 }

@@ -1,8 +1,7 @@
-#include "run_case.h"
-
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "run_case.h"
 
 namespace
 {
@@ -59,20 +58,16 @@ namespace
 
 TEST(RanksMpi, DamBreak2d)
 {
-  compare_with_one_process<2>(collapse("12, 12",
-                                       "if(y < 0.3, 1, 0)",
-                                       "0, -9.81",
-                                       "max(x - 0.31, y - 0.62)"));
+  compare_with_one_process<2>(collapse(
+    "12, 12", "if(y < 0.3, 1, 0)", "0, -9.81", "max(x - 0.31, y - 0.62)"));
 }
 
 
 
 TEST(RanksMpi, DamBreak3d)
 {
-  compare_with_one_process<3>(collapse("6, 6, 6",
-                                       "if(x < 0.5, 1, 0)",
-                                       "0, -9.81, 0",
-                                       "max(x - 0.31, y - 0.62)"));
+  compare_with_one_process<3>(collapse(
+    "6, 6, 6", "if(x < 0.5, 1, 0)", "0, -9.81, 0", "max(x - 0.31, y - 0.62)"));
 }
 
 

@@ -1,8 +1,7 @@
-#include "run_case.h"
-
+#include <algorithm>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include "run_case.h"
 
 namespace
 {
@@ -54,8 +53,7 @@ TEST(Rest, FlatInterfaceStaysAtRest)
 {
   for (const std::string height : {"0.41", "0.45", "0.4999"})
     {
-      const RunCase<2> run(
-        rest("y - " + height, "0, -9.81", "0", "10, 10"));
+      const RunCase<2> run(rest("y - " + height, "0, -9.81", "0", "10, 10"));
       EXPECT_LT(largest_velocity(run), 1e-9) << height;
     }
 }
@@ -65,11 +63,7 @@ TEST(Rest, FlatInterfaceStaysAtRest)
 TEST(Rest, TiltedPlaneStaysAtRest)
 {
   const RunCase<2> run(
-    rest("-0.3*(x - 0.5) + 0.95*(y - 0.47)",
-         "3, -9.5",
-         "0",
-         "8, 8",
-         plane));
+    rest("-0.3*(x - 0.5) + 0.95*(y - 0.47)", "3, -9.5", "0", "8, 8", plane));
   EXPECT_LT(largest_velocity(run), 1e-9);
 }
 
@@ -77,12 +71,11 @@ TEST(Rest, TiltedPlaneStaysAtRest)
 
 TEST(Rest, TiltedPlaneAcrossHangingNodesStaysAtRest)
 {
-  const RunCase<2> run(
-    rest("-0.3*(x - 0.5) + 0.95*(y - 0.47)",
-         "3, -9.5",
-         "if(x < 0.4, 1, 0)",
-         "8, 8",
-         plane));
+  const RunCase<2> run(rest("-0.3*(x - 0.5) + 0.95*(y - 0.47)",
+                            "3, -9.5",
+                            "if(x < 0.4, 1, 0)",
+                            "8, 8",
+                            plane));
   EXPECT_LT(largest_velocity(run), 1e-9);
 }
 
@@ -90,12 +83,11 @@ TEST(Rest, TiltedPlaneAcrossHangingNodesStaysAtRest)
 
 TEST(Rest, TiltedPlaneAcrossHangingNodesStaysAtRest3d)
 {
-  const RunCase<3> run(
-    rest("-0.3*(x - 0.5) + 0.95*(z - 0.47)",
-         "3, 0, -9.5",
-         "if(x + y < 0.7, 1, 0)",
-         "4, 4, 4",
-         plane));
+  const RunCase<3> run(rest("-0.3*(x - 0.5) + 0.95*(z - 0.47)",
+                            "3, 0, -9.5",
+                            "if(x + y < 0.7, 1, 0)",
+                            "4, 4, 4",
+                            plane));
   EXPECT_LT(largest_velocity(run), 1e-9);
 }
 

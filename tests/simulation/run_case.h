@@ -24,10 +24,9 @@ struct RunCase
       parameters.declare(root);
     }
     prm.parse_input_from_string(text);
-    simulation =
-      std::make_unique<Thalweg::Simulation<dim>>(communicator,
-                                                 parameters,
-                                                 context);
+    simulation = std::make_unique<Thalweg::Simulation<dim>>(communicator,
+                                                            parameters,
+                                                            context);
     simulation->run();
   }
 

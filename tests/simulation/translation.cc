@@ -1,9 +1,8 @@
-#include "run_case.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <string>
+
+#include "run_case.h"
 
 namespace
 {

@@ -2,7 +2,6 @@
 #define thalweg_core_compat_h
 
 #include <deal.II/base/config.h>
-
 #include <deal.II/dofs/dof_handler.h>
 
 namespace Thalweg

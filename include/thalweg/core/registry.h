@@ -153,14 +153,13 @@ namespace Thalweg
     void
     declare_parameters(const Section &section, const std::string &what)
     {
-      section.add(
-        "Models",
-        names,
-        "",
-        "Which " + what + " are used, separated by commas." +
-          Registry<Interface>::description(),
-        dealii::Patterns::List(
-          dealii::Patterns::Selection(Registry<Interface>::names())));
+      section.add("Models",
+                  names,
+                  "",
+                  "Which " + what + " are used, separated by commas." +
+                    Registry<Interface>::description(),
+                  dealii::Patterns::List(
+                    dealii::Patterns::Selection(Registry<Interface>::names())));
       for (const auto &[model_name, entry] : Registry<Interface>::entries())
         {
           const Section subsection = section.enter(model_name);
@@ -187,12 +186,12 @@ namespace Thalweg
 
 /// Registers the class template @p Model, in two and three dimensions, as a
 /// model of the kind @p Interface under @p name with the description @p text.
-#define THALWEG_REGISTER(Interface, Model, name, text)                     \
-  namespace                                                                \
-  {                                                                        \
-    const ::Thalweg::Registration<Interface<2>, Model<2>> Model##_2d(name, \
+#define THALWEG_REGISTER(Interface, Model, name, text)                      \
+  namespace                                                                 \
+  {                                                                         \
+    const ::Thalweg::Registration<Interface<2>, Model<2>> Model##_2d(name,  \
                                                                      text); \
-    const ::Thalweg::Registration<Interface<3>, Model<3>> Model##_3d(name, \
+    const ::Thalweg::Registration<Interface<3>, Model<3>> Model##_3d(name,  \
                                                                      text); \
   }
 

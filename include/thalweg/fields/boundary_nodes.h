@@ -44,10 +44,10 @@ namespace Thalweg
     /// A face at the boundary, with two to eight points for integrals.
     struct Face
     {
-      unsigned int                     cell;
-      unsigned int                     face_no;
-      dealii::types::boundary_id       id;
-      std::vector<dealii::Point<dim>>  reference_points;
+      unsigned int                        cell;
+      unsigned int                        face_no;
+      dealii::types::boundary_id          id;
+      std::vector<dealii::Point<dim>>     reference_points;
       std::vector<dealii::Tensor<1, dim>> normals_times_weight; ///< outward
     };
 
@@ -82,10 +82,10 @@ namespace Thalweg
   private:
     struct FixedNode
     {
-      unsigned int                        node;
-      dealii::Point<dim>                  position;
+      unsigned int       node;
+      dealii::Point<dim> position;
       /// For a given velocity, else invalid.
-      dealii::types::boundary_id          velocity_boundary;
+      dealii::types::boundary_id velocity_boundary;
       /// Orthonormal; empty: all directions.
       std::vector<dealii::Tensor<1, dim>> directions;
     };

@@ -1,8 +1,8 @@
 #ifndef thalweg_fields_node_space_h
 #define thalweg_fields_node_space_h
 
-#include <thalweg/mesh/mesh.h>
 #include <thalweg/mesh/cell_field.h>
+#include <thalweg/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>

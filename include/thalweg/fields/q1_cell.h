@@ -22,7 +22,7 @@ namespace Thalweg
     values(const dealii::Point<dim> &xi)
     {
       std::array<double, (1 << dim)> shape;
-      shape[0]         = 1.;
+      shape[0]       = 1.;
       unsigned int n = 1;
       for (unsigned int d = 0; d < dim; ++d, n *= 2)
         for (unsigned int v = 0; v < n; ++v)
@@ -77,8 +77,8 @@ namespace Thalweg
     /// From values and reference gradients at a point to those in @p cell.
     template <int dim>
     inline Point<dim>
-    evaluate(const typename CellGraph<dim>::Cell                          &cell,
-             const std::array<double, (1 << dim)>                         &shape,
+    evaluate(const typename CellGraph<dim>::Cell                  &cell,
+             const std::array<double, (1 << dim)>                 &shape,
              const std::array<dealii::Tensor<1, dim>, (1 << dim)> &reference)
     {
       Point<dim> point;
@@ -112,10 +112,10 @@ namespace Thalweg
     template <int dim>
     struct Gauss
     {
-      static constexpr unsigned int n_points = 1 << dim;
-      static constexpr double       weight   = 1. / n_points;
-      std::array<dealii::Point<dim>, n_points>                points;
-      std::array<std::array<double, (1 << dim)>, n_points>    values;
+      static constexpr unsigned int            n_points = 1 << dim;
+      static constexpr double                  weight   = 1. / n_points;
+      std::array<dealii::Point<dim>, n_points> points;
+      std::array<std::array<double, (1 << dim)>, n_points> values;
       std::array<std::array<dealii::Tensor<1, dim>, (1 << dim)>, n_points>
         gradients;
 

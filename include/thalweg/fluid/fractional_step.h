@@ -64,10 +64,10 @@ namespace Thalweg
     void
     normalize_pressure();
 
-    unsigned int iterations           = 4;
-    double       iteration_tolerance  = 1e-4;
-    double       pressure_tolerance   = 1e-5;
-    double       velocity_tolerance   = 1e-8;
+    unsigned int iterations            = 4;
+    double       iteration_tolerance   = 1e-4;
+    double       pressure_tolerance    = 1e-5;
+    double       velocity_tolerance    = 1e-8;
     unsigned int maximal_cg_iterations = 1000;
 
     Context                              *context  = nullptr;

@@ -70,11 +70,11 @@ namespace Thalweg
      * @throws SolverFailure
      */
     SolveReport
-    correct(const Vector     &velocity,
-            const double      dt,
-            const bool        with_forces,
-            EnrichedPressure &pressure,
-            const double      tolerance,
+    correct(const Vector      &velocity,
+            const double       dt,
+            const bool         with_forces,
+            EnrichedPressure  &pressure,
+            const double       tolerance,
             const unsigned int maximal_iterations);
 
     /// Subtracts int N_i grad p in N, of this rank's cells; not folded.

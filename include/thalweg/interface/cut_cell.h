@@ -35,12 +35,12 @@ namespace Thalweg
     PerVertex<dealii::Tensor<1, dim>> gradient; ///< int grad N_i / rho
 
     bool              enriched = false;
-    PerVertex<double> laplace_star;     ///< int grad N_i . grad psi / rho
+    PerVertex<double> laplace_star;      ///< int grad N_i . grad psi / rho
     double            laplace_star_star; ///< int grad psi . grad psi / rho
-    PerVertex<dealii::Tensor<1, dim>> star_divergence; ///< int psi grad N_i
-    PerVertex<dealii::Tensor<1, dim>> star_gradient;   ///< int N_i grad psi
-    dealii::Tensor<1, dim> star_load;         ///< int grad psi
-    dealii::Tensor<1, dim> star_inverse_load; ///< int grad psi / rho
+    PerVertex<dealii::Tensor<1, dim>> star_divergence;   ///< int psi grad N_i
+    PerVertex<dealii::Tensor<1, dim>> star_gradient;     ///< int N_i grad psi
+    dealii::Tensor<1, dim>            star_load;         ///< int grad psi
+    dealii::Tensor<1, dim>            star_inverse_load; ///< int grad psi / rho
 
     /// The unit normal of the interface, pointing to fluid 1, and the
     /// viscosities of a laminate: the arithmetic mean, and the harmonic one
@@ -63,12 +63,12 @@ namespace Thalweg
    */
   template <int dim>
   CutCell<dim>
-  integrate_cut_cell(const unsigned int                         index,
-                     const typename CellGraph<dim>::Cell       &cell,
-                     const std::array<double, (1 << dim)>      &phi,
-                     const std::array<double, (1 << dim)>      &w,
-                     const Fluids                              &fluids,
-                     const bool                                 enrich);
+  integrate_cut_cell(const unsigned int                    index,
+                     const typename CellGraph<dim>::Cell  &cell,
+                     const std::array<double, (1 << dim)> &phi,
+                     const std::array<double, (1 << dim)> &w,
+                     const Fluids                         &fluids,
+                     const bool                            enrich);
 
   /// The volume of the part of a cell where the level set with the values
   /// @p phi at the vertices is negative.

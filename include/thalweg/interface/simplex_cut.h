@@ -70,7 +70,7 @@ namespace Thalweg
                 t * (simplex.corners[j] - simplex.corners[i]);
               for (const unsigned int replaced : {i, j})
                 {
-                  Simplex<dim> piece     = simplex;
+                  Simplex<dim> piece      = simplex;
                   piece.corners[replaced] = zero;
                   piece.phi[replaced]     = 0.;
                   cut(piece, visit);

@@ -58,8 +58,9 @@ namespace Thalweg
 
     /// One multigrid cycle.
     void
-    vmult(dealii::LinearAlgebra::distributed::Vector<double>       &destination,
-          const dealii::LinearAlgebra::distributed::Vector<double> &source) const;
+    vmult(
+      dealii::LinearAlgebra::distributed::Vector<double>       &destination,
+      const dealii::LinearAlgebra::distributed::Vector<double> &source) const;
 
     /// How many hierarchies have been built so far.
     unsigned int
@@ -71,9 +72,9 @@ namespace Thalweg
   private:
     std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix>    copy;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> amg;
-    unsigned int builds           = 0;
-    unsigned int fresh_iterations = 0;
-    bool         stale            = true;
+    unsigned int                                               builds = 0;
+    unsigned int fresh_iterations                                     = 0;
+    bool         stale                                                = true;
   };
 } // namespace Thalweg
 

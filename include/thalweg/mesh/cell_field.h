@@ -14,8 +14,7 @@ namespace Thalweg
    * `field[cell][n_components * vertex + component]`.
    */
   template <int dim, int n_components>
-  using CellField =
-    std::vector<std::array<double, n_components *(1 << dim)>>;
+  using CellField = std::vector<std::array<double, n_components *(1 << dim)>>;
 
   /// A velocity, in m/s.
   template <int dim>

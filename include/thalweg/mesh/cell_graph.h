@@ -63,10 +63,10 @@ namespace Thalweg
       std::array<dealii::Point<dim>, n_vertices> vertices;
       /// Whether the edges are parallel to the axes, in the usual
       /// orientation: then x = vertices[0] + xi * extent.
-      bool                    axis_parallel;
-      dealii::Tensor<1, dim>  extent;
-      dealii::Tensor<1, dim>  inverse_extent;
-      double                  measure;
+      bool                      axis_parallel;
+      dealii::Tensor<1, dim>    extent;
+      dealii::Tensor<1, dim>    inverse_extent;
+      double                    measure;
       std::array<Face, n_faces> faces;
       /// The rank that owns the cell.
       dealii::types::subdomain_id owner;
@@ -164,13 +164,13 @@ namespace Thalweg
     Face
     face_behind(const CellIterator &cell, const unsigned int face_no);
 
-    unsigned int                     n_owned            = 0;
-    dealii::types::global_cell_index first_global_index = 0;
-    bool                             axis_parallel      = true;
-    double                           shortest_edge      = 0;
-    std::vector<Cell>                cells;
-    std::vector<CellIterator>        iterators;
-    std::vector<unsigned int>        index_of_active_cell;
+    unsigned int                                  n_owned            = 0;
+    dealii::types::global_cell_index              first_global_index = 0;
+    bool                                          axis_parallel      = true;
+    double                                        shortest_edge      = 0;
+    std::vector<Cell>                             cells;
+    std::vector<CellIterator>                     iterators;
+    std::vector<unsigned int>                     index_of_active_cell;
     std::vector<std::array<int, n_face_children>> children;
     std::vector<dealii::Tensor<1, dim>>           offsets;
   };

@@ -9,7 +9,6 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <boost/signals2.hpp>
-
 #include <map>
 #include <string>
 #include <vector>
@@ -24,10 +23,10 @@ namespace Thalweg
     void
     declare(const Section &root);
 
-    Choice<Geometry<dim>>                   geometry;
-    std::vector<std::string>                periodic_boundaries;
-    unsigned int                            global_refinement = 0;
-    std::string                             local_refinement = "0";
+    Choice<Geometry<dim>>    geometry;
+    std::vector<std::string> periodic_boundaries;
+    unsigned int             global_refinement = 0;
+    std::string              local_refinement  = "0";
   };
 
   /**

@@ -34,8 +34,8 @@ namespace Thalweg
     {
       std::array<double, 2> value;
       for (unsigned int c = 0; c < 2; ++c)
-        value[c]
-          = (a[c] + x[0] * a[2 + c]) + x[1] * (a[4 + c] + x[0] * a[6 + c]);
+        value[c] =
+          (a[c] + x[0] * a[2 + c]) + x[1] * (a[4 + c] + x[0] * a[6 + c]);
       return value;
     }
 
@@ -45,11 +45,10 @@ namespace Thalweg
     {
       std::array<double, 3> value;
       for (unsigned int c = 0; c < 3; ++c)
-        value[c] = (a[c] + x[0] * a[3 + c])
-                   + x[1] * (a[6 + c] + x[0] * a[9 + c])
-                   + x[2]
-                       * ((a[12 + c] + x[0] * a[15 + c])
-                          + x[1] * (a[18 + c] + x[0] * a[21 + c]));
+        value[c] = (a[c] + x[0] * a[3 + c]) +
+                   x[1] * (a[6 + c] + x[0] * a[9 + c]) +
+                   x[2] * ((a[12 + c] + x[0] * a[15 + c]) +
+                           x[1] * (a[18 + c] + x[0] * a[21 + c]));
       return value;
     }
 
@@ -57,42 +56,42 @@ namespace Thalweg
     template <int dim>
     inline dealii::Tensor<2, dim>
     gradient(const std::array<double, dim *(1 << dim)> &a,
-             const std::array<double, dim> &x)
+             const std::array<double, dim>             &x)
     {
       dealii::Tensor<2, dim> jacobian;
       for (unsigned int v = 1; v < (1 << dim); ++v)
         for (unsigned int d = 0; d < dim; ++d)
           if (v & (1 << d))
-          {
-            double monomial = 1;
-            for (unsigned int e = 0; e < dim; ++e)
-              if (e != d && (v & (1 << e)))
-                monomial *= x[e];
-            for (unsigned int c = 0; c < dim; ++c)
-              jacobian[c][d] += a[v * dim + c] * monomial;
-          }
+            {
+              double monomial = 1;
+              for (unsigned int e = 0; e < dim; ++e)
+                if (e != d && (v & (1 << e)))
+                  monomial *= x[e];
+              for (unsigned int c = 0; c < dim; ++c)
+                jacobian[c][d] += a[v * dim + c] * monomial;
+            }
       return jacobian;
     }
 
     /// J^{-1} b, or not-a-number where the map is folded.
     template <int dim>
     inline std::array<double, dim>
-    solve(const dealii::Tensor<2, dim> &jacobian,
+    solve(const dealii::Tensor<2, dim>  &jacobian,
           const std::array<double, dim> &b)
     {
       std::array<double, dim> result;
       if (!(determinant(jacobian) > 0))
-      {
-        result.fill(std::numeric_limits<double>::quiet_NaN());
-        return result;
-      }
+        {
+          result.fill(std::numeric_limits<double>::quiet_NaN());
+          return result;
+        }
       const dealii::Tensor<2, dim> inverse = invert(jacobian);
       for (unsigned int d = 0; d < dim; ++d)
-      {
-        result[d] = 0;
-        for (unsigned int c = 0; c < dim; ++c)
-          result[d] += inverse[d][c] * b[c];
-      }
+        {
+          result[d] = 0;
+          for (unsigned int c = 0; c < dim; ++c)
+            result[d] += inverse[d][c] * b[c];
+        }
       return result;
     }
 

@@ -17,14 +17,14 @@ namespace Thalweg
   struct Traveller
   {
     Walker<dim> walker;
-    Luggage luggage;
+    Luggage     luggage;
   };
 
   /// A traveller on its way to the rank that owns its cell.
   template <int dim, typename Luggage>
   struct TravellerInFlight
   {
-    Traveller<dim, Luggage> traveller;
+    Traveller<dim, Luggage>          traveller;
     dealii::types::global_cell_index cell;
   };
 
@@ -35,26 +35,26 @@ namespace Thalweg
    */
   template <typename T>
   std::map<unsigned int, std::vector<T>>
-  send_plain(const MPI_Comm communicator,
+  send_plain(const MPI_Comm                                communicator,
              const std::map<unsigned int, std::vector<T>> &to_send)
   {
     static_assert(std::is_trivially_copyable<T>::value,
                   "Only plain memory can be sent like this.");
     std::map<unsigned int, std::vector<char>> bytes_to_send;
     for (const auto &[rank, list] : to_send)
-    {
-      auto &bytes = bytes_to_send[rank];
-      bytes.resize(list.size() * sizeof(T));
-      std::memcpy(bytes.data(), list.data(), bytes.size());
-    }
+      {
+        auto &bytes = bytes_to_send[rank];
+        bytes.resize(list.size() * sizeof(T));
+        std::memcpy(bytes.data(), list.data(), bytes.size());
+      }
     std::map<unsigned int, std::vector<T>> received;
     for (const auto &[rank, bytes] :
          dealii::Utilities::MPI::some_to_some(communicator, bytes_to_send))
-    {
-      auto &list = received[rank];
-      list.resize(bytes.size() / sizeof(T));
-      std::memcpy(list.data(), bytes.data(), bytes.size());
-    }
+      {
+        auto &list = received[rank];
+        list.resize(bytes.size() / sizeof(T));
+        std::memcpy(list.data(), bytes.data(), bytes.size());
+      }
     return received;
   }
 
@@ -73,10 +73,10 @@ namespace Thalweg
    */
   template <int dim, typename Luggage>
   void
-  walk_on_other_ranks(const StreamlineWalk<dim> &walk,
-                      const MPI_Comm communicator,
+  walk_on_other_ranks(const StreamlineWalk<dim>            &walk,
+                      const MPI_Comm                        communicator,
                       std::vector<Traveller<dim, Luggage>> &travellers,
-                      WalkEffort &effort)
+                      WalkEffort                           &effort)
   {
     using Flight  = TravellerInFlight<dim, Luggage>;
     namespace MPI = dealii::Utilities::MPI;
@@ -86,33 +86,34 @@ namespace Thalweg
     const auto &graph     = walk.graph();
     std::size_t first_new = 0;
     while (true)
-    {
-      std::map<unsigned int, std::vector<Flight>> departing;
-      std::size_t n_staying = first_new;
-      for (std::size_t i = first_new; i < travellers.size(); ++i)
-        if (travellers[i].walker.fate == Fate::elsewhere)
-        {
-          const auto &cell = graph.cell(travellers[i].walker.cell);
-          departing[cell.owner].push_back({travellers[i], cell.global_index});
-        }
-        else
-          travellers[n_staying++] = travellers[i];
-      travellers.resize(n_staying);
-      first_new = n_staying;
+      {
+        std::map<unsigned int, std::vector<Flight>> departing;
+        std::size_t                                 n_staying = first_new;
+        for (std::size_t i = first_new; i < travellers.size(); ++i)
+          if (travellers[i].walker.fate == Fate::elsewhere)
+            {
+              const auto &cell = graph.cell(travellers[i].walker.cell);
+              departing[cell.owner].push_back(
+                {travellers[i], cell.global_index});
+            }
+          else
+            travellers[n_staying++] = travellers[i];
+        travellers.resize(n_staying);
+        first_new = n_staying;
 
-      if (MPI::max(departing.empty() ? 0 : 1, communicator) == 0)
-        return;
+        if (MPI::max(departing.empty() ? 0 : 1, communicator) == 0)
+          return;
 
-      for (const auto &[rank, arriving] : send_plain(communicator, departing))
-        for (const Flight &flight : arriving)
-        {
-          Traveller<dim, Luggage> traveller = flight.traveller;
-          traveller.walker.cell             = graph.owned_index(flight.cell);
-          traveller.walker.fate             = Fate::under_way;
-          walk.walk(traveller.walker, effort);
-          travellers.push_back(traveller);
-        }
-    }
+        for (const auto &[rank, arriving] : send_plain(communicator, departing))
+          for (const Flight &flight : arriving)
+            {
+              Traveller<dim, Luggage> traveller = flight.traveller;
+              traveller.walker.cell = graph.owned_index(flight.cell);
+              traveller.walker.fate = Fate::under_way;
+              walk.walk(traveller.walker, effort);
+              travellers.push_back(traveller);
+            }
+      }
   }
 } // namespace Thalweg
 

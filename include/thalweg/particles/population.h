@@ -73,8 +73,8 @@ namespace Thalweg
     n_global_particles() const;
 
   private:
-    const Mesh<dim> &mesh_;
-    Handler particle_handler;
+    const Mesh<dim>              &mesh_;
+    Handler                       particle_handler;
     dealii::types::particle_index first_id  = 0;
     dealii::types::particle_index n_created = 0;
   };

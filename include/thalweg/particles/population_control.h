@@ -52,8 +52,8 @@ namespace Thalweg
      *   below the number of sub-cells
      */
     PopulationControl(
-      const PopulationParameters<dim> &parameters,
-      const StreamlineConvection<dim> &convection,
+      const PopulationParameters<dim>                    &parameters,
+      const StreamlineConvection<dim>                    &convection,
       const std::map<dealii::types::boundary_id, double> &inflow_level_set);
 
     /**
@@ -71,10 +71,10 @@ namespace Thalweg
      * @return the number of new particles on this rank
      */
     unsigned int
-    fill_empty_cells(Population<dim> &population,
+    fill_empty_cells(Population<dim>         &population,
                      const CellVelocity<dim> &velocity,
                      const CellField<dim, 1> &level_set,
-                     const double dt) const;
+                     const double             dt) const;
 
     /**
      * @brief Removes particles from cells that have more than the maximum:
@@ -91,8 +91,8 @@ namespace Thalweg
     double
     level_set_value(const Foot<dim> &foot) const;
 
-    const PopulationParameters<dim> parameters;
-    const StreamlineConvection<dim> &convection;
+    const PopulationParameters<dim>                    parameters;
+    const StreamlineConvection<dim>                   &convection;
     const std::map<dealii::types::boundary_id, double> inflow_level_set;
   };
 } // namespace Thalweg

@@ -37,8 +37,8 @@ namespace Thalweg
    */
   template <int dim>
   void
-  seed(Population<dim> &population,
-       const SeedingParameters &parameters,
+  seed(Population<dim>             &population,
+       const SeedingParameters     &parameters,
        const dealii::Function<dim> &velocity,
        const dealii::Function<dim> &level_set);
 } // namespace Thalweg

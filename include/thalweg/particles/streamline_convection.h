@@ -55,7 +55,7 @@ namespace Thalweg
     dealii::Point<dim> position;
     /// In m/s.
     std::array<double, dim> velocity;
-    double level_set;
+    double                  level_set;
     /// The open boundary through which the streamline came in, otherwise
     /// dealii::numbers::invalid_boundary_id.
     dealii::types::boundary_id boundary;
@@ -80,8 +80,8 @@ namespace Thalweg
      * @throws dealii::ExcMessage for parameters that make no sense
      */
     StreamlineConvection(
-      const Mesh<dim> &mesh,
-      const ConvectionParameters &parameters,
+      const Mesh<dim>                                      &mesh,
+      const ConvectionParameters                           &parameters,
       const std::map<dealii::types::boundary_id, WallKind> &walls);
 
     /**
@@ -97,9 +97,9 @@ namespace Thalweg
      * @param dt in s, not negative
      */
     ConvectionReport
-    move(Population<dim> &population,
+    move(Population<dim>         &population,
          const CellVelocity<dim> &velocity,
-         const double dt) const;
+         const double             dt) const;
 
     /**
      * @brief Follows the streamlines through given points backwards in time.
@@ -113,11 +113,11 @@ namespace Thalweg
      * @return one foot a point, with velocity and level set interpolated there
      */
     std::vector<Foot<dim>>
-    trace_back(const std::vector<unsigned int> &cells,
+    trace_back(const std::vector<unsigned int>       &cells,
                const std::vector<dealii::Point<dim>> &reference_points,
-               const CellVelocity<dim> &velocity,
-               const CellField<dim, 1> &level_set,
-               const double dt) const;
+               const CellVelocity<dim>               &velocity,
+               const CellField<dim, 1>               &level_set,
+               const double                           dt) const;
 
     const Mesh<dim> &
     mesh() const
@@ -126,7 +126,7 @@ namespace Thalweg
     }
 
   private:
-    const Mesh<dim> &mesh_;
+    const Mesh<dim>                       &mesh_;
     typename StreamlineWalk<dim>::Settings settings;
   };
 } // namespace Thalweg

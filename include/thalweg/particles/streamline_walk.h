@@ -66,7 +66,7 @@ namespace Thalweg
     unsigned int cell;
     /// The boundary where the walker left.
     dealii::types::boundary_id boundary;
-    Fate fate;
+    Fate                       fate;
   };
 
   /// Counters of the work that was done.
@@ -111,10 +111,10 @@ namespace Thalweg
      * @param settings see there
      * @param direction 1 to go with the velocity, -1 against it
      */
-    StreamlineWalk(const CellGraph<dim> &graph,
+    StreamlineWalk(const CellGraph<dim>    &graph,
                    const CellVelocity<dim> &velocity,
-                   const Settings &settings,
-                   const double direction);
+                   const Settings          &settings,
+                   const double             direction);
 
     /**
      * @brief Lets a walker walk in locally owned cells until its fate is
@@ -155,8 +155,8 @@ namespace Thalweg
     struct Exit
     {
       static constexpr unsigned int none = 2 * dim;
-      unsigned int face;
-      double fraction;
+      unsigned int                  face;
+      double                        fraction;
     };
 
     Flow
@@ -170,13 +170,13 @@ namespace Thalweg
     Coordinates
     substep(const unsigned int cell,
             const Coordinates &begin,
-            const double time) const;
+            const double       time) const;
 
     template <StreamlineScheme scheme>
     Coordinates
     careful_substep(const unsigned int cell,
                     const Coordinates &begin,
-                    double &time) const;
+                    double            &time) const;
 
     template <StreamlineScheme scheme>
     void
@@ -190,8 +190,8 @@ namespace Thalweg
 
     bool
     enter(const typename CellGraph<dim>::Face &face,
-          const double fraction,
-          Walker<dim> &walker) const;
+          const double                         fraction,
+          Walker<dim>                         &walker) const;
 
     Coordinates
     to_space(const unsigned int cell, const Coordinates &reference) const;
@@ -199,12 +199,12 @@ namespace Thalweg
     bool
     to_reference(const unsigned int cell,
                  const Coordinates &position,
-                 Coordinates &reference) const;
+                 Coordinates       &reference) const;
 
     bool
     find_reference(const unsigned int cell,
                    const Coordinates &position,
-                   Coordinates &reference) const;
+                   Coordinates       &reference) const;
 
     unsigned int
     nearest_child(const std::array<int, CellGraph<dim>::n_face_children> &,
@@ -216,12 +216,12 @@ namespace Thalweg
       return boundary < open.size() && open[boundary];
     }
 
-    const CellGraph<dim> &cell_graph;
-    const StreamlineScheme scheme;
-    const double greatest_way;
-    const double direction;
-    std::vector<bool> open;
-    std::vector<Flow> flow;
+    const CellGraph<dim>   &cell_graph;
+    const StreamlineScheme  scheme;
+    const double            greatest_way;
+    const double            direction;
+    std::vector<bool>       open;
+    std::vector<Flow>       flow;
     std::vector<Polynomial> shape;
   };
 } // namespace Thalweg

@@ -34,7 +34,7 @@ namespace Thalweg
     std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";
     std::string initial_level_set = "1";
     /// "sign" or "distance"
-    std::string                 particles_carry = "distance";
+    std::string particles_carry = "distance";
     /// In smallest cell sizes: greater distances are cut off there.
     double                      distance_band = 1.;
     SeedingParameters           seeding;
@@ -87,9 +87,9 @@ namespace Thalweg
     SimulationParameters<dim> &parameters;
     Context                   &context;
     Mesh<dim>                  mesh;
-    double                     time = 0.;
+    double                     time    = 0.;
     double                     last_dt = 0.;
-    unsigned int               step = 0;
+    unsigned int               step    = 0;
     Progress                   progress;
 
     std::unique_ptr<NodeSpace<dim>>            space;

@@ -39,9 +39,7 @@ namespace Thalweg
      * parameter asks for.
      */
     double
-    next_step(const double time,
-              const double rate,
-              const double old_dt) const;
+    next_step(const double time, const double rate, const double old_dt) const;
 
   private:
     double       end            = 1.;

@@ -3,7 +3,6 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
@@ -92,6 +91,40 @@ namespace Thalweg
       pattern, dofs.locally_owned_dofs(), dofs.get_communicator(), relevant);
     matrix = std::make_unique<dealii::TrilinosWrappers::SparseMatrix>();
     matrix->reinit(dofs.locally_owned_dofs(), pattern, dofs.get_communicator());
+
+    using Matrices = CellMatrices<(1 << dim)>;
+    std::vector<typename Matrices::Indices> cells(
+      space.mesh().graph().n_owned_cells());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (unsigned int v = 0; v < (1 << dim); ++v)
+        cells[c][v] =
+          residual.get_partitioner()->local_to_global(space.nodes(c)[v]);
+    cell_matrices.initialize(*matrix, constraints, cells);
+  }
+
+
+
+  template <int dim>
+  typename PressureSystem<dim>::CellMatrix
+  PressureSystem<dim>::cell_matrix(const unsigned int cell) const
+  {
+    constexpr unsigned int n   = 1 << dim;
+    const CutCell<dim>    *cut = cut_cell(cell);
+    CellMatrix             local =
+      cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
+    if (!cut)
+      {
+        const double inverse = 1. / phase.fluid(cell).density;
+        for (auto &row : local)
+          for (double &entry : row)
+            entry *= inverse;
+      }
+    else if (cut->enriched)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          local[i][j] -= cut->laplace_star[i] * cut->laplace_star[j] /
+                         cut->laplace_star_star;
+    return local;
   }
 
 
@@ -100,38 +133,9 @@ namespace Thalweg
   void
   PressureSystem<dim>::assemble()
   {
-    constexpr unsigned int n     = 1 << dim;
-    const CellGraph<dim>  &graph = space.mesh().graph();
-    *matrix                      = 0.;
-    dealii::FullMatrix<double>                   local(n, n);
-    std::vector<dealii::types::global_dof_index> indices(n);
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      {
-        const int cut_index = phase.cut_index(c);
-        if (cut_index < 0)
-          {
-            const auto   laplace = integrals.laplace(graph.cell(c));
-            const double inverse = 1. / phase.fluid(c).density;
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                local(i, j) = inverse * laplace[i][j];
-          }
-        else
-          {
-            const CutCell<dim> &cut = phase.cut_cells()[cut_index];
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                local(i, j) =
-                  cut.laplace[i][j] -
-                  (cut.enriched ? cut.laplace_star[i] * cut.laplace_star[j] /
-                                    cut.laplace_star_star
-                                : 0.);
-          }
-        for (unsigned int v = 0; v < n; ++v)
-          indices[v] =
-            residual.get_partitioner()->local_to_global(space.nodes(c)[v]);
-        constraints.distribute_local_to_global(local, indices, *matrix);
-      }
+    *matrix = 0.;
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      cell_matrices.add(c, cell_matrix(c));
     matrix->compress(dealii::VectorOperation::add);
 
     if (singular)
@@ -316,21 +320,15 @@ namespace Thalweg
       report    = solve_cg(
         *matrix, increment, residual, amg, tolerance, iterations, "pressure");
     };
-    if (amg.is_fresh())
-      attempt(maximal_iterations);
-    else
-      try
-        {
-          attempt(std::min(maximal_iterations, amg.patience()));
-        }
-      catch (const SolverFailure &)
-        {
-          // The hierarchy of an earlier step serves no longer.
-          amg.invalidate();
-          amg.update(*matrix);
-          attempt(maximal_iterations);
-        }
-    amg.report(report.iterations);
+    try
+      {
+        attempt(std::min(maximal_iterations, patience));
+      }
+    catch (const SolverFailure &)
+      {
+        amg.build(*matrix, AmgPreconditioner::Smoother::chebyshev);
+        attempt(maximal_iterations);
+      }
     report.residual /= reference_norm;
     return report;
   }

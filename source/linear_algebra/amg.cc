@@ -1,12 +1,61 @@
 #include <thalweg/linear_algebra/amg.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <Epetra_CrsMatrix.h>
+
 namespace Thalweg
 {
+  namespace
+  {
+    /// All entries of this rank's rows.
+    std::vector<double>
+    values_of(const Epetra_CrsMatrix &matrix)
+    {
+      std::vector<double> values;
+      values.reserve(matrix.NumMyNonzeros());
+      for (int row = 0; row < matrix.NumMyRows(); ++row)
+        {
+          int     length  = 0;
+          double *entries = nullptr;
+          matrix.ExtractMyRowView(row, length, entries);
+          values.insert(values.end(), entries, entries + length);
+        }
+      return values;
+    }
+  } // namespace
+
+
+
   AmgPreconditioner::AmgPreconditioner()  = default;
   AmgPreconditioner::~AmgPreconditioner() = default;
+
+
+
+  void
+  AmgPreconditioner::build(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                           const Smoother smoother)
+  {
+    dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
+    data.elliptic              = true;
+    data.higher_order_elements = false;
+    data.aggregation_threshold = 1e-3;
+    if (smoother == Smoother::incomplete_cholesky)
+      {
+        data.smoother_type   = "IC";
+        data.smoother_sweeps = 1;
+      }
+    else
+      {
+        data.smoother_type   = "Chebyshev";
+        data.smoother_sweeps = 2;
+      }
+    amg = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
+    amg->initialize(matrix, data);
+    ++builds;
+  }
 
 
 
@@ -14,41 +63,13 @@ namespace Thalweg
   AmgPreconditioner::update(
     const dealii::TrilinosWrappers::SparseMatrix &matrix)
   {
-    if (!stale)
+    std::vector<double> values      = values_of(matrix.trilinos_matrix());
+    const int           has_changed = !amg || values != updated_values;
+    if (dealii::Utilities::MPI::max(has_changed,
+                                    matrix.get_mpi_communicator()) == 0)
       return;
-    // ML refers to the matrix it was built from, which must not change under
-    // a hierarchy that is kept.
-    copy = std::make_unique<dealii::TrilinosWrappers::SparseMatrix>();
-    copy->copy_from(matrix);
-    amg = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
-    dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.elliptic              = true;
-    data.higher_order_elements = false;
-    data.smoother_sweeps       = 2;
-    data.aggregation_threshold = 1e-3;
-    amg->initialize(*copy, data);
-    stale            = false;
-    fresh_iterations = 0;
-    ++builds;
-  }
-
-
-
-  void
-  AmgPreconditioner::report(const unsigned int n_iterations)
-  {
-    if (fresh_iterations == 0)
-      fresh_iterations = std::max(n_iterations, 4u);
-    else if (2 * n_iterations > 3 * fresh_iterations)
-      stale = true;
-  }
-
-
-
-  void
-  AmgPreconditioner::invalidate()
-  {
-    stale = true;
+    updated_values = std::move(values);
+    build(matrix);
   }
 
 

@@ -6,6 +6,7 @@
 #include <thalweg/fluid/body_forces.h>
 #include <thalweg/interface/phase_field.h>
 #include <thalweg/linear_algebra/amg.h>
+#include <thalweg/linear_algebra/cell_matrices.h>
 #include <thalweg/linear_algebra/krylov.h>
 
 #include <array>
@@ -93,6 +94,10 @@ namespace Thalweg
     }
 
   private:
+    /// After how many iterations the usual smoother is held to have failed;
+    /// it needs about ten.
+    static constexpr unsigned int patience = 150;
+
     /// The right hand side of a cell and, where it is enriched, of psi.
     struct Load
     {
@@ -100,8 +105,14 @@ namespace Thalweg
       double                         star = 0;
     };
 
+    using CellMatrix = typename CellMatrices<(1 << dim)>::Local;
+
     void
     initialize_matrix();
+
+    /// int grad N_i . grad N_j / rho, with the enrichment condensed
+    CellMatrix
+    cell_matrix(const unsigned int cell) const;
 
     /// The integrals of a cell that the interface cuts, or nullptr.
     const CutCell<dim> *
@@ -145,8 +156,8 @@ namespace Thalweg
                       const EnrichedPressure *pressure,
                       std::vector<double>    &star_residual);
 
-    /// increment = matrix^{-1} residual, with a new multigrid hierarchy if
-    /// the old one no longer serves.
+    /// increment = matrix^{-1} residual, with another smoother in the
+    /// multigrid hierarchy if the usual one does not serve.
     SolveReport
     solve(const double tolerance, const unsigned int maximal_iterations);
 
@@ -158,6 +169,7 @@ namespace Thalweg
 
     dealii::AffineConstraints<double>                       constraints;
     std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;
+    CellMatrices<(1 << dim)>                                cell_matrices;
     AmgPreconditioner                                       amg;
     bool                                                    singular;
     double                                                  reference_norm = 0;

@@ -4,6 +4,7 @@
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
+#include <vector>
 
 namespace dealii
 {
@@ -18,43 +19,46 @@ namespace Thalweg
 {
   /**
    * @brief An algebraic multigrid preconditioner (Trilinos ML) for a scalar,
-   * symmetric and positive definite matrix that changes a little from step
-   * to step: the hierarchy is kept as long as it serves.
+   * symmetric and positive definite matrix.
+   *
+   * A hierarchy is built from the present matrix only: where the density
+   * jumps by a factor of 1000, each node that the interface has passed since
+   * would cost an iteration, more than a new hierarchy does. Besides, a
+   * resumed run has the same hierarchies as a straight one.
    */
   class AmgPreconditioner
   {
   public:
+    /// What smooths on each level.
+    enum class Smoother
+    {
+      /// An incomplete Cholesky factorization: the fewest iterations, but it
+      /// may break down for matrices with large positive entries beside the
+      /// diagonal.
+      incomplete_cholesky,
+      /// Chebyshev's polynomial: works for every such matrix.
+      chebyshev
+    };
+
     AmgPreconditioner();
     ~AmgPreconditioner();
 
-    /// Makes sure of a hierarchy for @p matrix, which it copies if it must
-    /// build one.
+    /**
+     * @brief Builds the hierarchy for @p matrix. Collective.
+     * @param matrix must neither change nor go as long as vmult() is called
+     * @param smoother for all levels but the coarsest
+     */
+    void
+    build(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+          const Smoother smoother = Smoother::incomplete_cholesky);
+
+    /**
+     * @brief Builds the hierarchy unless @p matrix has the same entries as
+     * at the last update, as it has for one fluid. Collective.
+     * @param matrix as for build()
+     */
     void
     update(const dealii::TrilinosWrappers::SparseMatrix &matrix);
-
-    /// Tells how many iterations a solve took; when they grow to more than
-    /// half again what the fresh hierarchy needed, the next update() builds
-    /// anew.
-    void
-    report(const unsigned int n_iterations);
-
-    /// Whether no solve has been reported since the hierarchy was built.
-    bool
-    is_fresh() const
-    {
-      return fresh_iterations == 0;
-    }
-
-    /// After how many iterations it pays to build anew instead of going on.
-    unsigned int
-    patience() const
-    {
-      return 4 * fresh_iterations + 20;
-    }
-
-    /// Builds anew at the next update().
-    void
-    invalidate();
 
     /// One multigrid cycle.
     void
@@ -70,11 +74,9 @@ namespace Thalweg
     }
 
   private:
-    std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix>    copy;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> amg;
-    unsigned int                                               builds = 0;
-    unsigned int fresh_iterations                                     = 0;
-    bool         stale                                                = true;
+    std::vector<double> updated_values; ///< of this rank
+    unsigned int        builds = 0;
   };
 } // namespace Thalweg
 

@@ -3,6 +3,8 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <limits>
+
 namespace Thalweg
 {
   namespace
@@ -118,7 +120,10 @@ namespace Thalweg
           hanging[node] = {first,
                            static_cast<unsigned int>(node_dependences.size())};
       }
-    node_positions.resize(dependent.size());
+    dealii::Point<dim> unknown;
+    for (unsigned int d = 0; d < dim; ++d)
+      unknown[d] = std::numeric_limits<double>::quiet_NaN();
+    node_positions.assign(dependent.size(), unknown);
     for (unsigned int c = 0; c < graph.n_cells(); ++c)
       for (unsigned int v = 0; v < n_vertices; ++v)
         node_positions[cell_nodes[c][v]] = graph.cell(c).vertices[v];

@@ -73,6 +73,13 @@ namespace Thalweg
       return cell_nodes[cell];
     }
 
+    /// How scalars are distributed over the ranks.
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
+    scalar_layout() const
+    {
+      return scalar_partitioner;
+    }
+
     /// A zero vector with all locally relevant entries.
     void
     initialize_scalar(Vector &vector) const;
@@ -131,7 +138,8 @@ namespace Thalweg
       return entry == hanging.end() ? std::make_pair(0u, 0u) : entry->second;
     }
 
-    /// The position of a local node.
+    /// The position of a node of a local cell; not a number for those that
+    /// only constraints reach.
     const dealii::Point<dim> &
     position(const unsigned int node) const
     {

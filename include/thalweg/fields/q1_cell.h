@@ -44,6 +44,20 @@ namespace Thalweg
       return sum / static_cast<double>(1 << dim);
     }
 
+    /// The point with the reference coordinates @p xi in the cell with these
+    /// corners.
+    template <int dim>
+    inline dealii::Point<dim>
+    position(const std::array<dealii::Point<dim>, (1 << dim)> &vertices,
+             const dealii::Point<dim>                         &xi)
+    {
+      const auto         shape = values<dim>(xi);
+      dealii::Point<dim> x;
+      for (unsigned int v = 0; v < shape.size(); ++v)
+        x += shape[v] * dealii::Tensor<1, dim>(vertices[v]);
+      return x;
+    }
+
     /// Gradients of the shape functions in reference coordinates at @p xi.
     template <int dim>
     inline std::array<dealii::Tensor<1, dim>, (1 << dim)>

@@ -5,6 +5,7 @@
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/node_space.h>
 #include <thalweg/interface/cut_cell.h>
+#include <thalweg/interface/redistance.h>
 #include <thalweg/materials/fluids.h>
 
 #include <vector>
@@ -19,6 +20,7 @@ namespace Thalweg
     declare(const Section &root);
 
     bool        hold_volume = true;
+    bool        redistance  = true;
     std::string enrichment  = "gradient";
   };
 
@@ -35,8 +37,8 @@ namespace Thalweg
                const InterfaceParameters &parameters);
 
     /**
-     * @brief Takes the projected level set, shifts it so that fluid 0 keeps
-     * its volume, and builds the cut cells.
+     * @brief Takes the projected level set, makes it a distance, shifts it so
+     * that fluid 0 keeps its volume, and builds the cut cells.
      * @param level_set owned values; negative in fluid 0
      * @param hold_volume whether to shift; the parameter must allow it too
      */
@@ -80,7 +82,8 @@ namespace Thalweg
       return fluids[fluid_of_cell[cell]];
     }
 
-    /// Volume of fluid 0 before the last shift, m^dim.
+    /// Volume of fluid 0 in the projected level set, before it was made a
+    /// distance and shifted, m^dim.
     double
     volume_before_shift() const
     {
@@ -109,6 +112,10 @@ namespace Thalweg
     }
 
   private:
+    /// The level set cell by cell; signed distance if the parameter says so.
+    CellField<dim, 1>
+    make_distance();
+
     double
     volume_with_shift(const CellField<dim, 1> &values, const double c) const;
 
@@ -121,6 +128,7 @@ namespace Thalweg
     const NodeSpace<dim>      &space;
     const Fluids              &fluids;
     const InterfaceParameters &parameters;
+    Redistance<dim>            redistance;
     Vector                     phi;
     std::vector<int>           cut_of_cell;
     std::vector<unsigned char> fluid_of_cell;

@@ -19,24 +19,48 @@ namespace Thalweg
 
   template <int dim>
   dealii::Tensor<2, dim>
-  ViscousOperator<dim>::stress(
-    const unsigned int            cell,
+  ViscousOperator<dim>::CellViscosity::stress(
     const dealii::Tensor<2, dim> &velocity_gradient) const
   {
     const dealii::Tensor<2, dim> twice_rate =
       velocity_gradient + transpose(velocity_gradient);
+    if (!cut)
+      return viscosity * twice_rate;
+    const dealii::Tensor<1, dim> traction = twice_rate * cut->normal;
+    const dealii::Tensor<1, dim> shear =
+      traction - (traction * cut->normal) * cut->normal;
+    return cut->arithmetic_viscosity * twice_rate +
+           (cut->harmonic_viscosity - cut->arithmetic_viscosity) *
+             (outer_product(shear, cut->normal) +
+              outer_product(cut->normal, shear));
+  }
+
+
+
+  template <int dim>
+  double
+  ViscousOperator<dim>::CellViscosity::diagonal(
+    const dealii::Tensor<1, dim> &gradient,
+    const unsigned int            component) const
+  {
+    if (!cut)
+      return viscosity *
+             (gradient * gradient + gradient[component] * gradient[component]);
+    dealii::Tensor<2, dim> velocity_gradient;
+    velocity_gradient[component] = gradient;
+    return stress(velocity_gradient)[component] * gradient;
+  }
+
+
+
+  template <int dim>
+  typename ViscousOperator<dim>::CellViscosity
+  ViscousOperator<dim>::cell_viscosity(const unsigned int cell) const
+  {
     const int cut_index = phase.cut_index(cell);
     if (cut_index < 0)
-      return phase.fluid(cell).viscosity * twice_rate;
-
-    const CutCell<dim>          &cut      = phase.cut_cells()[cut_index];
-    const dealii::Tensor<1, dim> traction = twice_rate * cut.normal;
-    const dealii::Tensor<1, dim> shear =
-      traction - (traction * cut.normal) * cut.normal;
-    return cut.arithmetic_viscosity * twice_rate +
-           (cut.harmonic_viscosity - cut.arithmetic_viscosity) *
-             (outer_product(shear, cut.normal) +
-              outer_product(cut.normal, shear));
+      return {phase.fluid(cell).viscosity, nullptr};
+    return {0., &phase.cut_cells()[cut_index]};
   }
 
 
@@ -49,7 +73,8 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto                                    &nodes = space.nodes(c);
+        const auto         &nodes     = space.nodes(c);
+        const CellViscosity viscosity = cell_viscosity(c);
         std::array<dealii::Tensor<1, dim>, (1 << dim)> u, f;
         for (unsigned int v = 0; v < u.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
@@ -61,7 +86,7 @@ namespace Thalweg
             for (unsigned int v = 0; v < u.size(); ++v)
               gradient += outer_product(u[v], point.gradients[v]);
             const dealii::Tensor<2, dim> sigma =
-              (gauss.weight * point.determinant) * stress(c, gradient);
+              (gauss.weight * point.determinant) * viscosity.stress(gradient);
             for (unsigned int v = 0; v < u.size(); ++v)
               f[v] -= sigma * point.gradients[v];
           }
@@ -84,19 +109,19 @@ namespace Thalweg
     inverse                     = 0.;
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      for (unsigned int q = 0; q < gauss.n_points; ++q)
-        {
-          const auto   point  = gauss.evaluate(graph.cell(c), q);
-          const double weight = gauss.weight * point.determinant;
-          for (unsigned int v = 0; v < point.values.size(); ++v)
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                dealii::Tensor<2, dim> gradient;
-                gradient[d] = point.gradients[v];
-                inverse.local_element(dim * space.nodes(c)[v] + d) +=
-                  weight * (stress(c, gradient)[d] * point.gradients[v]);
-              }
-        }
+      {
+        const auto         &nodes     = space.nodes(c);
+        const CellViscosity viscosity = cell_viscosity(c);
+        for (unsigned int q = 0; q < gauss.n_points; ++q)
+          {
+            const auto   point  = gauss.evaluate(graph.cell(c), q);
+            const double weight = gauss.weight * point.determinant;
+            for (unsigned int v = 0; v < nodes.size(); ++v)
+              for (unsigned int d = 0; d < dim; ++d)
+                inverse.local_element(dim * nodes[v] + d) +=
+                  weight * viscosity.diagonal(point.gradients[v], d);
+          }
+      }
     space.fold(inverse, dim);
     for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)

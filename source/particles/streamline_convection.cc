@@ -1,5 +1,5 @@
 #include <thalweg/core/registry.h>
-#include <thalweg/particles/journey.h>
+#include <thalweg/particles/particle_journeys.h>
 #include <thalweg/particles/streamline_convection.h>
 
 #include <deal.II/base/exceptions.h>
@@ -11,14 +11,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// What a particle takes along.
-    template <int dim>
-    struct Particle
-    {
-      dealii::types::particle_index                     id;
-      std::array<double, Population<dim>::n_properties> properties;
-    };
-
     /// Who wants to know.
     struct Question
     {
@@ -36,143 +28,6 @@ namespace Thalweg
       std::array<double, dim>    velocity;
       double                     level_set;
     };
-
-    template <int dim>
-    Walker<dim>
-    make_walker(const unsigned int        cell,
-                const dealii::Point<dim> &reference,
-                const double              time)
-    {
-      Walker<dim> walker;
-      for (unsigned int d = 0; d < dim; ++d)
-        walker.reference[d] = reference[d];
-      walker.piece_begin = walker.reference;
-      walker.time        = time;
-      walker.piece_time  = 0;
-      walker.cell        = cell;
-      walker.boundary    = dealii::numbers::invalid_boundary_id;
-      walker.fate        = Fate::under_way;
-      return walker;
-    }
-
-    /// Takes all particles out of the population and lets each walk on this
-    /// rank. One pass: these loops wait for the memory.
-    template <int dim>
-    std::vector<Traveller<dim, Particle<dim>>>
-    start_particles(const Population<dim>     &population,
-                    const StreamlineWalk<dim> &walk,
-                    const double               dt,
-                    WalkEffort                &effort)
-    {
-      const auto &handler = population.handler();
-      const auto &graph   = population.mesh().graph();
-
-      std::vector<Traveller<dim, Particle<dim>>> travellers;
-      travellers.reserve(handler.n_locally_owned_particles());
-      unsigned int cell       = dealii::numbers::invalid_unsigned_int;
-      unsigned int last_index = dealii::numbers::invalid_unsigned_int;
-      for (const auto &particle : handler)
-        {
-          const unsigned int index =
-            particle.get_surrounding_cell()->active_cell_index();
-          if (index != last_index)
-            {
-              last_index = index;
-              cell       = graph.index_from_active_cell_index(index);
-            }
-          Traveller<dim, Particle<dim>> traveller;
-          traveller.walker =
-            make_walker<dim>(cell, particle.get_reference_location(), dt);
-          traveller.luggage.id  = particle.get_id();
-          const auto properties = particle.get_properties();
-          std::copy(properties.begin(),
-                    properties.end(),
-                    traveller.luggage.properties.begin());
-          walk.walk(traveller.walker, effort);
-          travellers.push_back(traveller);
-        }
-      return travellers;
-    }
-
-    /// The numbers of the travellers that have arrived, cell by cell.
-    struct Arrivals
-    {
-      /// Of each cell and behind the last one.
-      std::vector<unsigned int> begin;
-      std::vector<unsigned int> travellers;
-    };
-
-    template <int dim>
-    Arrivals
-    arrivals(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-             const unsigned int                                n_cells)
-    {
-      constexpr unsigned int nowhere = dealii::numbers::invalid_unsigned_int;
-      Arrivals               arrivals;
-      arrivals.begin.resize(n_cells + 1, 0);
-      std::vector<unsigned int> cells(travellers.size(), nowhere);
-      for (unsigned int i = 0; i < travellers.size(); ++i)
-        if (travellers[i].walker.fate == Fate::arrived)
-          {
-            cells[i] = travellers[i].walker.cell;
-            ++arrivals.begin[cells[i] + 1];
-          }
-      for (unsigned int c = 0; c < n_cells; ++c)
-        arrivals.begin[c + 1] += arrivals.begin[c];
-
-      arrivals.travellers.resize(arrivals.begin[n_cells]);
-      std::vector<unsigned int> end(arrivals.begin.begin(),
-                                    arrivals.begin.end() - 1);
-      for (unsigned int i = 0; i < cells.size(); ++i)
-        if (cells[i] != nowhere)
-          arrivals.travellers[end[cells[i]]++] = i;
-      return arrivals;
-    }
-
-    /// Storing all particles anew costs less than removing and inserting
-    /// those that changed their cell, and leaves them contiguous in memory.
-    /// @return how many were stored
-    template <int dim>
-    std::size_t
-    store_particles(
-      Population<dim>                                  &population,
-      const StreamlineWalk<dim>                        &walk,
-      const std::vector<Traveller<dim, Particle<dim>>> &travellers)
-    {
-      const auto &graph   = walk.graph();
-      auto        arrived = arrivals<dim>(travellers, graph.n_owned_cells());
-      // One order whatever happened before: a resumed run, whose particles
-      // come from a file, continues bit by bit like the straight one.
-      const auto by_id = [&](const unsigned int a, const unsigned int b) {
-        return travellers[a].luggage.id < travellers[b].luggage.id;
-      };
-
-      auto &handler = population.handler();
-      handler.clear_particles();
-      handler.reserve(arrived.travellers.size());
-      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-        {
-          const auto begin = arrived.travellers.begin() + arrived.begin[c];
-          const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
-          std::sort(begin, end, by_id);
-          for (auto i = begin; i != end; ++i)
-            {
-              const auto &[walker, particle] = travellers[*i];
-              dealii::Point<dim> reference;
-              for (unsigned int d = 0; d < dim; ++d)
-                reference[d] = walker.reference[d];
-              handler.insert_particle(
-                walk.position(walker),
-                reference,
-                particle.id,
-                graph.iterator(c),
-                dealii::ArrayView<const double>(particle.properties.data(),
-                                                particle.properties.size()));
-            }
-        }
-      handler.update_cached_numbers();
-      return arrived.travellers.size();
-    }
 
     /// Counts those that did not arrive.
     template <int dim>
@@ -330,13 +185,12 @@ namespace Thalweg
     const StreamlineWalk<dim> walk(mesh_.graph(), velocity, settings, 1.);
 
     WalkEffort effort;
-    auto       travellers = start_particles(population, walk, dt, effort);
+    auto       travellers = depart(population, walk, dt, effort);
     walk_on_other_ranks(walk,
                         mesh_.triangulation().get_communicator(),
                         travellers,
                         effort);
-    const std::size_t n_stored =
-      store_particles<dim>(population, walk, travellers);
+    const std::size_t n_stored = arrive(population, walk, travellers);
 
     ConvectionReport report;
     report.n_moved         = travellers.size();
@@ -365,7 +219,7 @@ namespace Thalweg
     travellers.reserve(cells.size());
     for (unsigned int i = 0; i < cells.size(); ++i)
       travellers.push_back(
-        {make_walker<dim>(cells[i], reference_points[i], dt),
+        {Walker<dim>::start(cells[i], reference_points[i], dt),
          {dealii::Utilities::MPI::this_mpi_process(communicator), i}});
     WalkEffort effort;
     for (auto &traveller : travellers)
@@ -383,7 +237,7 @@ namespace Thalweg
     for (unsigned int i = 0; i < cells.size(); ++i)
       feet.push_back(
         to_foot(answer(walk,
-                       make_walker(cells[i], reference_points[i], dt),
+                       Walker<dim>::start(cells[i], reference_points[i], dt),
                        i,
                        velocity,
                        level_set),

@@ -58,10 +58,25 @@ namespace Thalweg
     }
 
   private:
-    /// The stress for a velocity gradient in a cell.
-    dealii::Tensor<2, dim>
-    stress(const unsigned int            cell,
-           const dealii::Tensor<2, dim> &velocity_gradient) const;
+    /// The viscosity in a cell: one number, or that of a laminate.
+    struct CellViscosity
+    {
+      double              viscosity; ///< Pa s, of an uncut cell
+      const CutCell<dim> *cut;       ///< nullptr in an uncut cell
+
+      /// The stress for a velocity gradient.
+      inline dealii::Tensor<2, dim>
+      stress(const dealii::Tensor<2, dim> &velocity_gradient) const;
+
+      /// The stress of a velocity in direction @p component that has the
+      /// gradient @p gradient, times the same: an entry of the diagonal.
+      inline double
+      diagonal(const dealii::Tensor<1, dim> &gradient,
+               const unsigned int            component) const;
+    };
+
+    CellViscosity
+    cell_viscosity(const unsigned int cell) const;
 
     const NodeSpace<dim>     &space;
     const BoundaryNodes<dim> &boundary;

@@ -87,8 +87,8 @@ namespace Thalweg
     /**
      * @brief Moves all particles by the time @p dt. Collective.
      *
-     * Afterwards the particles are stored cell by cell in the order of the
-     * cell graph, and by id in each cell; iterators to particles are invalid.
+     * Afterwards the particles of each cell are ordered by id, whatever their
+     * order was before; iterators to particles are invalid.
      * Velocity and level set of the particles stay as they are.
      *
      * @param population each particle's reference coordinates must be those

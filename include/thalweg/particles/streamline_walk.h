@@ -67,6 +67,24 @@ namespace Thalweg
     /// The boundary where the walker left.
     dealii::types::boundary_id boundary;
     Fate                       fate;
+
+    /// One that is to walk for the time @p time from a point of a cell.
+    static Walker
+    start(const unsigned int        cell,
+          const dealii::Point<dim> &reference,
+          const double              time)
+    {
+      Walker walker;
+      for (unsigned int d = 0; d < dim; ++d)
+        walker.reference[d] = reference[d];
+      walker.piece_begin = walker.reference;
+      walker.time        = time;
+      walker.piece_time  = 0;
+      walker.cell        = cell;
+      walker.boundary    = dealii::numbers::invalid_boundary_id;
+      walker.fate        = Fate::under_way;
+      return walker;
+    }
   };
 
   /// Counters of the work that was done.

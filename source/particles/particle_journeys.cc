@@ -58,6 +58,27 @@ namespace Thalweg
                 place.get_properties().begin());
     }
 
+    /// Whether the particles lie about in memory, so that loops over them
+    /// have to wait: many were inserted where others had been removed.
+    template <int dim>
+    bool
+    are_scattered(const Population<dim> &population)
+    {
+      const auto  &graph       = population.mesh().graph();
+      std::size_t  n_particles = 0, n_jumps = 0;
+      unsigned int next = 0;
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+        for (const auto &particle :
+             population.handler().particles_in_cell(graph.iterator(c)))
+          {
+            const unsigned int index = particle.get_local_index();
+            ++n_particles;
+            n_jumps += index == next ? 0 : 1;
+            next = index + 1;
+          }
+      return 4 * n_jumps > n_particles;
+    }
+
     /// Puts the particles @p begin to @p end of @p travellers in a cell in
     /// place of those that are there: only the difference in number is
     /// inserted or removed, which costs several times more.
@@ -150,6 +171,11 @@ namespace Thalweg
     const auto  by_id   = [&](const unsigned int a, const unsigned int b) {
       return travellers[a].luggage.id < travellers[b].luggage.id;
     };
+    if (are_scattered(population))
+      {
+        population.handler().clear_particles();
+        population.handler().reserve(arrived.travellers.size());
+      }
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
         const auto begin = arrived.travellers.begin() + arrived.begin[c];

@@ -9,10 +9,14 @@ namespace Thalweg
     section.add("Streamline velocity",
                 streamline_velocity,
                 "",
-                "Particles follow the last velocity field V^n, which is first "
-                "order in time, or the one extrapolated from the last two to "
-                "the middle of the step.",
-                dealii::Patterns::Selection("frozen|extrapolated"));
+                "Particles follow the streamlines of the last velocity field "
+                "V^n (`frozen`, first order in time), or of the one "
+                "extrapolated from the last two to the middle of the step "
+                "(`extrapolated`: second order for positions, damps waves), or "
+                "velocities are those at the middle of the steps from the "
+                "first step on (`staggered`, the leapfrog scheme: second "
+                "order, and waves keep their amplitude).",
+                dealii::Patterns::Selection("frozen|extrapolated|staggered"));
   }
 
 
@@ -42,21 +46,41 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::choose_convecting_velocity(const double dt)
+  Pfem2<dim>::choose_convecting_velocity(const double time, const double dt)
   {
     const Vector &v = parts->flow.velocity();
     convecting_velocity.zero_out_ghost_values();
     convecting_velocity.copy_locally_owned_data_from(v);
-    if (streamline_velocity == "extrapolated" && old_dt > 0)
+    if (streamline_velocity != "frozen" && old_dt > 0)
       {
-        convecting_velocity.add(.5 * dt / old_dt, v);
-        convecting_velocity.add(-.5 * dt / old_dt, old_velocity);
+        const double factor = (time + .5 * dt - velocity_time) / old_dt;
+        convecting_velocity.add(factor, v);
+        convecting_velocity.add(-factor, old_velocity);
       }
     parts->space.interpolate(convecting_velocity, dim);
     parts->space.copy_to_cells(convecting_velocity, cell_velocity);
     // New particles take the level set without the shift, as the others
     // carry it: else the shifts of all steps would add up in them.
     parts->space.copy_to_cells(level_set, cell_level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::accelerate(const double dt)
+  {
+    velocity_time += dt;
+    parts->conditions.set_time(velocity_time);
+    parts->forces.set_time(velocity_time);
+    old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
+    parts->flow.solve(velocity_star, dt); // (87b) to (87e)
+    dealii::TimerOutput::Scope scope(parts->context.timers, "increment");
+    add_increment(parts->population,
+                  parts->space,
+                  parts->flow.velocity(),
+                  velocity_star); // (87) 3
+    old_dt = dt;
   }
 
 
@@ -81,8 +105,9 @@ namespace Thalweg
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
-    choose_convecting_velocity(dt);
-    old_velocity.copy_locally_owned_data_from(flow.velocity());
+    if (streamline_velocity == "staggered" && old_dt == 0)
+      accelerate(.5 * dt);
+    choose_convecting_velocity(time, dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");
       report = convection.move(population, cell_velocity, dt); // (87a)
@@ -97,26 +122,16 @@ namespace Thalweg
       projection.project(
         population, space, fluids, velocity_star, level_set); // (69)
     }
-    conditions.set_time(time + dt);
-    forces.set_time(time + dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
       phase.target_volume -= dt * phase.outflow(convecting_velocity, boundary);
       phase.rebuild(level_set);
     }
-    flow.solve(velocity_star, dt); // (87b) to (87e)
-    {
-      dealii::TimerOutput::Scope scope(context.timers, "increment");
-      add_increment(population,
-                    space,
-                    flow.velocity(),
-                    velocity_star); // (87) 3
-    }
+    accelerate(dt); // (87b) to (87e), (87) 3
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_removed = control.limit(population);
     }
-    old_dt = dt;
     record_particles(*parts, report, n_added, n_removed);
   }
 

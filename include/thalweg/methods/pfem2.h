@@ -31,11 +31,17 @@ namespace Thalweg
     }
 
   private:
-    /// V^n, or V^n + dt/2 (V^n - V^{n-1}) / dt_old.
+    /// The velocity along whose streamlines the particles go from @p time
+    /// to @p time + @p dt.
     void
-    choose_convecting_velocity(const double dt);
+    choose_convecting_velocity(const double time, const double dt);
 
-    std::string streamline_velocity = "extrapolated";
+    /// The mesh solves for what acts on the convected velocity during
+    /// @p dt, and the particles take the increment.
+    void
+    accelerate(const double dt);
+
+    std::string streamline_velocity = "staggered";
 
     std::unique_ptr<Parts<dim>> parts;
     Vector                      convecting_velocity;
@@ -44,7 +50,11 @@ namespace Thalweg
     Vector                      level_set;
     CellVelocity<dim>           cell_velocity;
     CellField<dim, 1>           cell_level_set;
-    double                      old_dt = 0;
+    /// When the flow has its present velocity. Between the times of the
+    /// steps if that is staggered.
+    double velocity_time = 0;
+    /// How long the last acceleration took, 0 before the first.
+    double old_dt = 0;
   };
 } // namespace Thalweg
 

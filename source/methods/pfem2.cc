@@ -1,5 +1,7 @@
 #include <thalweg/methods/pfem2.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   template <int dim>
@@ -46,14 +48,14 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::choose_convecting_velocity(const double time, const double dt)
+  Pfem2<dim>::choose_convecting_velocity(const double dt)
   {
     const Vector &v = parts->flow.velocity();
     convecting_velocity.zero_out_ghost_values();
     convecting_velocity.copy_locally_owned_data_from(v);
-    if (streamline_velocity != "frozen" && old_dt > 0)
+    if (streamline_velocity != "frozen" && acceleration_time > 0)
       {
-        const double factor = (time + .5 * dt - velocity_time) / old_dt;
+        const double factor = (.5 * dt - lead) / acceleration_time;
         convecting_velocity.add(factor, v);
         convecting_velocity.add(-factor, old_velocity);
       }
@@ -68,19 +70,20 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::accelerate(const double dt)
+  Pfem2<dim>::accelerate(const double time, const double new_lead)
   {
-    velocity_time += dt;
-    parts->conditions.set_time(velocity_time);
-    parts->forces.set_time(velocity_time);
+    parts->conditions.set_time(time + new_lead);
+    parts->forces.set_time(time + new_lead);
+    acceleration_time = time + new_lead - velocity_time;
+    velocity_time     = time + new_lead;
+    lead              = new_lead;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
-    parts->flow.solve(velocity_star, dt); // (87b) to (87e)
+    parts->flow.solve(velocity_star, acceleration_time); // (87b) to (87e)
     dealii::TimerOutput::Scope scope(parts->context.timers, "increment");
     add_increment(parts->population,
                   parts->space,
                   parts->flow.velocity(),
                   velocity_star); // (87) 3
-    old_dt = dt;
   }
 
 
@@ -105,9 +108,13 @@ namespace Thalweg
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
-    if (streamline_velocity == "staggered" && old_dt == 0)
-      accelerate(.5 * dt);
-    choose_convecting_velocity(time, dt);
+    if (acceleration_time == 0)
+      {
+        velocity_time = time;
+        if (streamline_velocity == "staggered")
+          accelerate(time, .5 * dt);
+      }
+    choose_convecting_velocity(dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");
       report = convection.move(population, cell_velocity, dt); // (87a)
@@ -127,7 +134,11 @@ namespace Thalweg
       phase.target_volume -= dt * phase.outflow(convecting_velocity, boundary);
       phase.rebuild(level_set);
     }
-    accelerate(dt); // (87b) to (87e), (87) 3
+    // A step that was cut short does not pull the velocity back in time.
+    accelerate(time + dt, // (87b) to (87e), (87) 3
+               streamline_velocity == "staggered"
+                 ? std::max(.5 * dt, lead - .5 * dt)
+                 : 0.);
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_removed = control.limit(population);

@@ -31,15 +31,16 @@ namespace Thalweg
     }
 
   private:
-    /// The velocity along whose streamlines the particles go from @p time
-    /// to @p time + @p dt.
+    /// The velocity along whose streamlines the particles go in the next
+    /// @p dt.
     void
-    choose_convecting_velocity(const double time, const double dt);
+    choose_convecting_velocity(const double dt);
 
-    /// The mesh solves for what acts on the convected velocity during
-    /// @p dt, and the particles take the increment.
+    /// The mesh solves for what acts on the convected velocity, and the
+    /// particles take the increment: afterwards they are at @p time, and
+    /// their velocities at @p time + @p new_lead.
     void
-    accelerate(const double dt);
+    accelerate(const double time, const double new_lead);
 
     std::string streamline_velocity = "staggered";
 
@@ -50,11 +51,12 @@ namespace Thalweg
     Vector                      level_set;
     CellVelocity<dim>           cell_velocity;
     CellField<dim, 1>           cell_level_set;
-    /// When the flow has its present velocity. Between the times of the
-    /// steps if that is staggered.
+    /// The time of the flow's velocity, and how far it is ahead of the
+    /// particles' positions: half a step if velocities are staggered.
     double velocity_time = 0;
+    double lead          = 0;
     /// How long the last acceleration took, 0 before the first.
-    double old_dt = 0;
+    double acceleration_time = 0;
   };
 } // namespace Thalweg
 

@@ -22,6 +22,15 @@ namespace Thalweg
 
 
   void
+  Statistics::declare(const std::vector<std::string> &leading_columns)
+  {
+    Assert(columns.empty(), dealii::ExcMessage("There are columns already."));
+    columns = leading_columns;
+  }
+
+
+
+  void
   Statistics::set(const std::string &name, const double value)
   {
     if (std::find(columns.begin(), columns.end(), name) == columns.end())
@@ -65,17 +74,24 @@ namespace Thalweg
   void
   Statistics::end_row()
   {
+    if (first_row)
+      {
+        const auto is_unused = [this](const std::string &name) {
+          return row.count(name) == 0;
+        };
+        columns.erase(std::remove_if(columns.begin(), columns.end(), is_unused),
+                      columns.end());
+        n_columns_in_file = columns.size();
+      }
     if (!path.empty())
       {
         std::ofstream file(path, std::ios::app);
-        if (!header_written)
+        if (first_row)
           {
             for (std::size_t c = 0; c < columns.size(); ++c)
               file << (c > 0 ? "," : "") << columns[c];
             file << '\n';
-            n_columns_in_file = columns.size();
           }
-        header_written = true;
         file << std::setprecision(12);
         for (std::size_t c = 0; c < n_columns_in_file; ++c)
           {
@@ -88,7 +104,8 @@ namespace Thalweg
                     dealii::ExcMessage("Cannot write to '" + path +
                                        "': is the disk full?"));
       }
-    last_row = row;
+    first_row = false;
+    last_row  = row;
     row.clear();
   }
 } // namespace Thalweg

@@ -45,6 +45,83 @@ namespace Thalweg
           std::sqrt(1. - smooth_wall_cosine * smooth_wall_cosine))
         directions.push_back(normal / normal.norm());
     }
+
+
+
+    /// What the boundary faces around a node ask of its velocity.
+    template <int dim>
+    struct Demand
+    {
+      dealii::Point<dim> position;
+      /// The most demanding kind of condition, in the order of precedence().
+      BoundaryKind kind = BoundaryKind::open;
+      /// The boundary of that kind.
+      dealii::types::boundary_id boundary;
+      /// Weighted normals of slip walls with their boundaries; one for each
+      /// smooth part of a wall.
+      std::vector<std::pair<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
+        walls;
+
+      /// Adds the normal of a face to those of its wall, or as another part
+      /// of the wall behind a sharp edge.
+      void
+      add_wall(const dealii::types::boundary_id id,
+               const dealii::Tensor<1, dim>    &normal)
+      {
+        for (auto &[wall, mean] : walls)
+          if (wall == id &&
+              mean * normal >= smooth_wall_cosine * mean.norm() * normal.norm())
+            {
+              mean += normal;
+              return;
+            }
+        walls.emplace_back(id, normal);
+      }
+
+      /// The fixed directions of a node at slip walls only.
+      std::vector<dealii::Tensor<1, dim>>
+      directions() const
+      {
+        std::vector<dealii::Tensor<1, dim>> result;
+        for (const auto &[wall, normal] : walls)
+          add_direction(result, normal / normal.norm());
+        return result;
+      }
+    };
+
+
+
+    /// Where boundaries meet, the condition with the greater number holds.
+    int
+    precedence(const BoundaryKind kind)
+    {
+      switch (kind)
+        {
+          case BoundaryKind::open:
+            return 0;
+          case BoundaryKind::slip:
+            return 1;
+          case BoundaryKind::no_slip:
+            return 2;
+          default:
+            return 3;
+        }
+    }
+
+
+
+    /// Calls @p visit(cell, face number, boundary id) for the faces of owned
+    /// and ghost cells at boundaries that are not periodic.
+    template <int dim, typename Visitor>
+    void
+    for_each_boundary_face(const CellGraph<dim> &graph, const Visitor &visit)
+    {
+      for (unsigned int c = 0; c < graph.n_cells(); ++c)
+        for (const unsigned int f : graph.iterator(c)->face_indices())
+          if (graph.iterator(c)->at_boundary(f) &&
+              !graph.iterator(c)->has_periodic_neighbor(f))
+            visit(c, f, graph.iterator(c)->face(f)->boundary_id());
+    }
   } // namespace
 
 
@@ -65,94 +142,49 @@ namespace Thalweg
   void
   BoundaryNodes<dim>::collect_nodes()
   {
+    using Geometry              = dealii::GeometryInfo<dim>;
     const CellGraph<dim> &graph = space.mesh().graph();
-    Vector                layout;
-    space.initialize_scalar(layout);
-    const unsigned int n_owned = layout.locally_owned_size();
 
-    std::map<unsigned int, FixedNode> nodes;
-    std::map<unsigned int,
-             std::map<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
-                                         slip_normals;
+    std::map<unsigned int, Demand<dim>>  demands;
     std::map<unsigned int, PressureNode> pressures;
-    for (unsigned int c = 0; c < graph.n_cells(); ++c)
-      for (const unsigned int f : graph.iterator(c)->face_indices())
+    const auto                           add_face = [&](const unsigned int               c,
+                              const unsigned int               f,
+                              const dealii::types::boundary_id id) {
+      const BoundaryKind kind = conditions_.at(id).kind;
+      for (unsigned int i = 0; i < graph.n_face_children; ++i)
         {
-          if (!graph.iterator(c)->at_boundary(f) ||
-              graph.iterator(c)->has_periodic_neighbor(f))
-            continue;
-          const auto  id        = graph.iterator(c)->face(f)->boundary_id();
-          const auto &condition = conditions_.at(id);
-          for (unsigned int v = 0; v < graph.n_face_children; ++v)
+          const unsigned int v = Geometry::face_to_cell_vertices(f, i);
+          const unsigned int node = space.nodes(c)[v];
+          const auto        &x = graph.cell(c).vertices[v];
+          auto              &demand = demands[node];
+          demand.position           = x;
+          if (precedence(kind) >= precedence(demand.kind))
             {
-              const unsigned int vertex =
-                dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v);
-              const unsigned int node = space.nodes(c)[vertex];
-              const auto        &x    = graph.cell(c).vertices[vertex];
-              if (condition.kind == BoundaryKind::open)
-                pressures[node] = {node, x, id};
-              else if (condition.kind == BoundaryKind::slip)
-                {
-                  auto normal = weighted_normal<dim>(
-                    graph.cell(c),
-                    f,
-                    dealii::GeometryInfo<dim>::unit_cell_vertex(vertex));
-                  auto &mean = slip_normals[node][id];
-                  // Sharp edges within one boundary keep both directions.
-                  if (mean.norm() > 0 && mean * normal < smooth_wall_cosine *
-                                                           mean.norm() *
-                                                           normal.norm())
-                    {
-                      auto &entry = nodes[node];
-                      entry.node  = node;
-                      if (entry.directions.empty())
-                        entry.velocity_boundary =
-                          dealii::numbers::invalid_boundary_id;
-                      add_direction(entry.directions, normal / normal.norm());
-                    }
-                  else
-                    mean += normal;
-                  if (nodes.count(node) == 0)
-                    nodes[node] = {node,
-                                   x,
-                                   dealii::numbers::invalid_boundary_id,
-                                   {}};
-                  nodes[node].position = x;
-                }
+              demand.kind     = kind;
+              demand.boundary = id;
             }
+          if (kind == BoundaryKind::open)
+            pressures[node] = {node, x, id};
+          if (kind == BoundaryKind::slip)
+            demand.add_wall(id,
+                            weighted_normal<dim>(
+                              graph.cell(c), f, Geometry::unit_cell_vertex(v)));
         }
-    for (auto &[node, normals] : slip_normals)
-      for (auto &[id, normal] : normals)
-        add_direction(nodes[node].directions, normal / normal.norm());
+    };
+    for_each_boundary_face(graph, add_face);
 
-    // Given velocities and no slip override slip, and no slip gives way to
-    // a given velocity.
-    for (const BoundaryKind kind :
-         {BoundaryKind::no_slip, BoundaryKind::velocity})
-      for (unsigned int c = 0; c < graph.n_cells(); ++c)
-        for (const unsigned int f : graph.iterator(c)->face_indices())
-          if (graph.iterator(c)->at_boundary(f) &&
-              !graph.iterator(c)->has_periodic_neighbor(f))
-            {
-              const auto id = graph.iterator(c)->face(f)->boundary_id();
-              if (conditions_.at(id).kind != kind)
-                continue;
-              for (unsigned int v = 0; v < graph.n_face_children; ++v)
-                {
-                  const unsigned int vertex =
-                    dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v);
-                  const unsigned int node = space.nodes(c)[vertex];
-                  nodes[node]             = {node,
-                                             graph.cell(c).vertices[vertex],
-                                 kind == BoundaryKind::velocity
-                                               ? id
-                                               : dealii::numbers::invalid_boundary_id,
-                                             {}};
-                }
-            }
-    for (const auto &[node, entry] : nodes)
-      if (node < n_owned && !space.is_dependent(node))
-        fixed.push_back(entry);
+    const unsigned int n_owned = space.scalar_layout()->locally_owned_size();
+    for (const auto &[node, demand] : demands)
+      if (node < n_owned && !space.is_dependent(node) &&
+          demand.kind != BoundaryKind::open)
+        fixed.push_back({node,
+                         demand.position,
+                         demand.kind == BoundaryKind::velocity
+                           ? demand.boundary
+                           : dealii::numbers::invalid_boundary_id,
+                         demand.kind == BoundaryKind::slip
+                           ? demand.directions()
+                           : std::vector<dealii::Tensor<1, dim>>()});
     for (const auto &[node, entry] : pressures)
       if (!space.is_dependent(node))
         open_nodes.push_back(entry);
@@ -248,11 +280,10 @@ namespace Thalweg
         for (unsigned int q = 0; q < face.reference_points.size(); ++q)
           {
             const auto shape = Q1::values<dim>(face.reference_points[q]);
-            dealii::Point<dim> x;
-            for (unsigned int v = 0; v < shape.size(); ++v)
-              x += shape[v] *
-                   dealii::Tensor<1, dim>(graph.cell(face.cell).vertices[v]);
-            condition.function->vector_value(x, value);
+            condition.function->vector_value(
+              Q1::position<dim>(graph.cell(face.cell).vertices,
+                                face.reference_points[q]),
+              value);
             double flux = 0;
             for (unsigned int d = 0; d < dim; ++d)
               flux += value[d] * face.normals_times_weight[q][d];

@@ -29,7 +29,7 @@ namespace Thalweg
             dealii::Point<dim> xi;
             for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n + 1)
               xi[d] = static_cast<double>(rest % (n + 1)) / n;
-            values[i] = function.value(real_point(cell, xi));
+            values[i] = function.value(Q1::position<dim>(cell.vertices, xi));
           }
       }
 
@@ -60,18 +60,6 @@ namespace Thalweg
       }
 
     private:
-      static dealii::Point<dim>
-      real_point(const typename CellGraph<dim>::Cell &cell,
-                 const dealii::Point<dim>            &xi)
-      {
-        const auto             shape = Q1::values<dim>(xi);
-        dealii::Tensor<1, dim> point;
-        for (unsigned int v = 0; v < shape.size(); ++v)
-          point += shape[v] * cell.vertices[v];
-        return dealii::Point<dim>(point);
-      }
-
-
       std::array<double, (1 << dim)>
       corners(const unsigned int sub_cell) const
       {

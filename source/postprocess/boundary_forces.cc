@@ -1,8 +1,6 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
 {
@@ -10,27 +8,39 @@ namespace Thalweg
   {
     /// The forces that the fluids exert on boundaries.
     template <int dim>
-    class BoundaryForces : public Postprocessor<dim>
+    class BoundaryForces : public TableOutput<dim>
     {
     public:
+      BoundaryForces()
+        : TableOutput<dim>("boundary_forces.csv")
+      {}
+
+
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &outline) const override
+      {
+        for (const std::string &name : names)
+          outline.mesh.boundary_id(name);
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Boundaries",
                     names,
                     "",
                     "Names of boundaries, separated by commas; empty: all.");
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &solution) override
       {
         if (names.empty())
           for (const auto &[name, id] : solution.mesh.boundary_names())
             names.push_back(name);
-        std::vector<std::string> columns{"time [s]"};
+        std::vector<std::string> columns;
         for (const std::string &name : names)
           {
             ids.push_back(solution.mesh.boundary_id(name));
@@ -39,17 +49,15 @@ namespace Thalweg
                 columns.push_back(name + " " + part + " force " + "xyz"[d] +
                                   (dim == 2 ? " [N/m]" : " [N]"));
           }
-        file.open(context, "boundary_forces.csv", columns);
+        return columns;
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
       {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
         const CellGraph<dim> &graph = solution.mesh.graph();
-        std::vector<double>   row(1 + 2 * dim * names.size(), 0.);
+        std::vector<double>   values(2 * dim * names.size(), 0.);
         for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
           for (unsigned int f = 0; f < graph.n_faces; ++f)
             {
@@ -58,14 +66,14 @@ namespace Thalweg
                 continue;
               for (std::size_t b = 0; b < ids.size(); ++b)
                 if (ids[b] == face.boundary_id)
-                  add_face(solution, c, f, &row[1 + 2 * dim * b]);
+                  add_face(solution, c, f, &values[2 * dim * b]);
             }
-        dealii::Utilities::MPI::sum(row, context.communicator, row);
-        row[0] = solution.time;
-        file.write_row(context, row);
+        dealii::Utilities::MPI::sum(
+          values, solution.mesh.triangulation().get_communicator(), values);
+        return values;
       }
 
-    private:
+
       /// Adds a face's pressure and viscous force, p n and -mu (grad v +
       /// grad v^T) n with n out of the fluid.
       static void
@@ -120,8 +128,6 @@ namespace Thalweg
 
       std::vector<std::string>                names;
       std::vector<dealii::types::boundary_id> ids;
-      Schedule                                schedule;
-      CsvFile                                 file;
     };
   } // namespace
 

@@ -1,4 +1,3 @@
-#include <thalweg/fields/q1_cell.h>
 #include <thalweg/postprocess/cell_access.h>
 
 #include <deal.II/base/mpi.h>
@@ -26,19 +25,6 @@ namespace Thalweg
         phi[v] =
           solution.level_set.local_element(solution.space.nodes(cell)[v]);
     return phi;
-  }
-
-
-  template <int dim>
-  dealii::Point<dim>
-  real_point(const typename CellGraph<dim>::Cell &cell,
-             const dealii::Point<dim>            &xi)
-  {
-    const auto             shape = Q1::values<dim>(xi);
-    dealii::Tensor<1, dim> point;
-    for (unsigned int v = 0; v < shape.size(); ++v)
-      point += shape[v] * cell.vertices[v];
-    return dealii::Point<dim>(point);
   }
 
 
@@ -121,14 +107,12 @@ namespace Thalweg
   }
 
 
-#define THALWEG_INSTANTIATE_ACCESS(dim)                                     \
-  template std::array<double, (1 << dim)> cell_level_set(                   \
-    const SolutionView<dim> &, const unsigned int);                         \
-  template dealii::Point<dim> real_point<dim>(const CellGraph<dim>::Cell &, \
-                                              const dealii::Point<dim> &);  \
-  template std::vector<LocatedPoint<dim>> locate(                           \
-    const Mesh<dim> &,                                                      \
-    const std::vector<dealii::Point<dim>> &,                                \
+#define THALWEG_INSTANTIATE_ACCESS(dim)                   \
+  template std::array<double, (1 << dim)> cell_level_set( \
+    const SolutionView<dim> &, const unsigned int);       \
+  template std::vector<LocatedPoint<dim>> locate(         \
+    const Mesh<dim> &,                                    \
+    const std::vector<dealii::Point<dim>> &,              \
     const std::string &);
   THALWEG_INSTANTIATE_ACCESS(2)
   THALWEG_INSTANTIATE_ACCESS(3)

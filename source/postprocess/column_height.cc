@@ -1,8 +1,6 @@
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
 #include <thalweg/postprocess/phase_extent.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
 {
@@ -10,11 +8,27 @@ namespace Thalweg
   {
     /// The highest point of fluid 0 in a plane, such as a wall.
     template <int dim>
-    class ColumnHeight : public Postprocessor<dim>
+    class ColumnHeight : public TableOutput<dim>
     {
     public:
+      ColumnHeight()
+        : TableOutput<dim>("column_height.csv")
+      {}
+
+
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &) const override
+      {
+        AssertThrow(normal != vertical,
+                    dealii::ExcMessage(
+                      "The plane of the column height must be parallel to "
+                      "the 'Vertical direction': 'Plane normal' may not be " +
+                      vertical + " too."));
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Plane normal",
                     normal,
@@ -34,43 +48,31 @@ namespace Thalweg
                     floor,
                     "m",
                     "The coordinate from which the height is measured.");
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &) override
       {
-        AssertThrow(normal != vertical,
-                    dealii::ExcMessage(
-                      "The plane of the column height must be parallel to "
-                      "the 'Vertical direction': 'Plane normal' may not be " +
-                      vertical + " too."));
-        file.open(context, "column_height.csv", {"time [s]", "height [m]"});
+        return {"height [m]"};
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
       {
-        if (schedule.is_due(solution.time, solution.last_step))
-          file.write_row(
-            context,
-            {solution.time,
-             phase_extent(solution,
-                          axis_number(vertical),
-                          1.,
-                          {axis_number(normal), position, position}) -
-               floor});
+        return {phase_extent(solution,
+                             axis_number(vertical),
+                             1.,
+                             {axis_number(normal), position, position}) -
+                floor};
       }
 
-    private:
+
       std::string normal   = "x";
       double      position = 0.;
       std::string vertical = "y";
       double      floor    = 0.;
-      Schedule    schedule;
-      CsvFile     file;
     };
   } // namespace
 

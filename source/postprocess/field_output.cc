@@ -1,6 +1,4 @@
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/pvd_record.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/numerics/data_out.h>
 
@@ -10,28 +8,17 @@ namespace Thalweg
   {
     /// The fields for ParaView.
     template <int dim>
-    class FieldOutput : public Postprocessor<dim>
+    class FieldOutput : public SeriesOutput<dim>
     {
     public:
+      FieldOutput()
+        : SeriesOutput<dim>("fields")
+      {}
+
+    private:
       void
-      declare_parameters(const Section &section) override
+      write(Context &context, const SolutionView<dim> &solution) override
       {
-        schedule.declare_parameters(section, "files");
-      }
-
-
-      void
-      initialize(Context &context, const SolutionView<dim> &) override
-      {
-        record.open(context, "fields");
-      }
-
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
         using namespace dealii::DataComponentInterpretation;
         const Vector         density = nodal_density(solution);
         dealii::DataOut<dim> data;
@@ -51,10 +38,10 @@ namespace Thalweg
         subdomain = mesh.locally_owned_subdomain();
         data.add_data_vector(subdomain, "subdomain");
         data.build_patches(solution.mesh.mapping());
-        record.write(context, data, solution.time, solution.step);
+        this->record.write(context, data, solution.time, solution.step);
       }
 
-    private:
+
       /// The density of the fluid at each node.
       static Vector
       nodal_density(const SolutionView<dim> &solution)
@@ -68,10 +55,6 @@ namespace Thalweg
                 .density;
         return density;
       }
-
-
-      Schedule  schedule{0.05};
-      PvdRecord record;
     };
   } // namespace
 

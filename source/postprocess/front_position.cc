@@ -1,8 +1,6 @@
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
 #include <thalweg/postprocess/phase_extent.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
 {
@@ -10,11 +8,27 @@ namespace Thalweg
   {
     /// The foremost point of fluid 0.
     template <int dim>
-    class FrontPosition : public Postprocessor<dim>
+    class FrontPosition : public TableOutput<dim>
     {
     public:
+      FrontPosition()
+        : TableOutput<dim>("front_position.csv")
+      {}
+
+
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &) const override
+      {
+        AssertThrow(limits.empty() ||
+                      (limits.size() == 2 && limits[0] <= limits[1]),
+                    dealii::ExcMessage(
+                      "The 'Band' of the front position must be two "
+                      "coordinates, the lesser one first, or empty."));
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Direction",
                     direction,
@@ -35,46 +49,32 @@ namespace Thalweg
                     "Two coordinates; only fluid between them counts, for "
                     "example near the floor. Empty: all of it.",
                     dealii::Patterns::List(dealii::Patterns::Double(), 0, 2));
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &) override
       {
-        AssertThrow(limits.empty() ||
-                      (limits.size() == 2 && limits[0] <= limits[1]),
-                    dealii::ExcMessage(
-                      "The 'Band' of the front position must be two "
-                      "coordinates, the lesser one first, or empty."));
+        return {std::string("front ") + direction.back() + " [m]"};
+      }
+
+
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
+      {
+        Band band;
         if (!limits.empty())
           band = {axis_number(band_direction), limits[0], limits[1]};
-        file.open(context,
-                  "front_position.csv",
-                  {"time [s]",
-                   std::string("front ") + direction.back() + " [m]"});
+        return {phase_extent(solution,
+                             axis_number(direction),
+                             direction[0] == '-' ? -1. : 1.,
+                             band)};
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        if (schedule.is_due(solution.time, solution.last_step))
-          file.write_row(context,
-                         {solution.time,
-                          phase_extent(solution,
-                                       axis_number(direction),
-                                       direction[0] == '-' ? -1. : 1.,
-                                       band)});
-      }
-
-    private:
       std::string         direction      = "x";
       std::string         band_direction = "y";
       std::vector<double> limits;
-      Schedule            schedule;
-      Band                band;
-      CsvFile             file;
     };
   } // namespace
 

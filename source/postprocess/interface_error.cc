@@ -2,9 +2,7 @@
 #include <thalweg/interface/cut_cell.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,16 +14,28 @@ namespace Thalweg
   {
     /// The difference between the fluids' exact places and the computed ones.
     template <int dim>
-    class InterfaceError : public Postprocessor<dim>
+    class InterfaceError : public TableOutput<dim>
     {
     public:
       InterfaceError()
-        : schedule(1e30)
+        : TableOutput<dim>("interface_error.csv", 1e30)
       {}
 
 
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &outline) const override
+      {
+        AssertThrow(outline.fluids.size() == 2,
+                    dealii::ExcMessage(
+                      "The postprocessor 'interface error' needs two fluids, "
+                      "but the section 'Fluids' has one. Remove it from "
+                      "'Postprocess/Models' or name a second fluid."));
+        parse();
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Level set",
                     expression,
@@ -34,35 +44,22 @@ namespace Thalweg
                     "negative in the first fluid. Its values should vary no "
                     "faster than a distance would.",
                     dealii::Patterns::Anything());
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &) override
       {
-        AssertThrow(solution.fluids.size() == 2,
-                    dealii::ExcMessage(
-                      "The postprocessor 'interface error' needs two fluids, "
-                      "but the section 'Fluids' has one. Remove it from "
-                      "'Postprocess/Models' or name a second fluid."));
-        exact = parse_expression<dim>(expression,
-                                      1,
-                                      "Postprocess/interface error/Level set");
-        file.open(context,
-                  "interface_error.csv",
-                  {"time [s]",
-                   "error [" + length_unit(dim) + "]",
-                   "relative error",
-                   "relative volume error"});
+        exact = parse();
+        return {"error [" + length_unit(dim) + "]",
+                "relative error",
+                "relative volume error"};
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
       {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
         exact->set_time(solution.time);
         const CellGraph<dim> &graph = solution.mesh.graph();
         double                error = 0, volume = 0, exact_volume = 0;
@@ -80,18 +77,21 @@ namespace Thalweg
           solution.mesh.triangulation().get_communicator();
         for (double *sum : {&error, &volume, &exact_volume})
           *sum = dealii::Utilities::MPI::sum(*sum, communicator);
-        file.write_row(context,
-                       {solution.time,
-                        error,
-                        error / exact_volume,
-                        volume / exact_volume - 1.});
+        return {error, error / exact_volume, volume / exact_volume - 1.};
       }
 
-    private:
+
+      std::unique_ptr<dealii::FunctionParser<dim>>
+      parse() const
+      {
+        return parse_expression<dim>(expression,
+                                     1,
+                                     "Postprocess/interface error/Level set");
+      }
+
+
       std::string                                  expression = "1";
       std::unique_ptr<dealii::FunctionParser<dim>> exact;
-      Schedule                                     schedule;
-      CsvFile                                      file;
     };
   } // namespace
 

@@ -1,6 +1,4 @@
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/pvd_record.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/particles/data_out.h>
 
@@ -10,28 +8,17 @@ namespace Thalweg
   {
     /// The particles for ParaView.
     template <int dim>
-    class ParticleOutput : public Postprocessor<dim>
+    class ParticleOutput : public SeriesOutput<dim>
     {
     public:
+      ParticleOutput()
+        : SeriesOutput<dim>("particles")
+      {}
+
+    private:
       void
-      declare_parameters(const Section &section) override
+      write(Context &context, const SolutionView<dim> &solution) override
       {
-        schedule.declare_parameters(section, "files");
-      }
-
-
-      void
-      initialize(Context &context, const SolutionView<dim> &) override
-      {
-        record.open(context, "particles");
-      }
-
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
         using namespace dealii::DataComponentInterpretation;
         std::vector<std::string>                 names(dim, "velocity");
         std::vector<DataComponentInterpretation> interpretations(
@@ -43,12 +30,8 @@ namespace Thalweg
         data.build_patches(solution.population.handler(),
                            names,
                            interpretations);
-        record.write(context, data, solution.time, solution.step);
+        this->record.write(context, data, solution.time, solution.step);
       }
-
-    private:
-      Schedule  schedule{0.05};
-      PvdRecord record;
     };
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/simplex_cut.h>
 #include <thalweg/postprocess/cell_access.h>
 #include <thalweg/postprocess/phase_extent.h>
@@ -63,7 +64,7 @@ namespace Thalweg
             return;
           std::array<dealii::Point<dim>, dim + 1> corners;
           for (unsigned int i = 0; i <= dim; ++i)
-            corners[i] = real_point<dim>(cell, piece.corners[i]);
+            corners[i] = Q1::position<dim>(cell.vertices, piece.corners[i]);
           for (unsigned int i = 0; i <= dim; ++i)
             for (unsigned int j = 0; j < i; ++j)
               extent = std::max(

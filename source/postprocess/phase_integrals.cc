@@ -25,17 +25,15 @@ namespace Thalweg
       const auto             point = Q1::evaluate<dim>(cell,
                                            Q1::values<dim>(xi),
                                            Q1::reference_gradients<dim>(xi));
-      dealii::Tensor<1, dim> position, velocity;
+      dealii::Tensor<1, dim> velocity;
       for (unsigned int v = 0; v < nodes.size(); ++v)
-        {
-          position += point.values[v] * cell.vertices[v];
-          for (unsigned int d = 0; d < dim; ++d)
-            velocity[d] += point.values[v] *
-                           solution.velocity.local_element(dim * nodes[v] + d);
-        }
+        for (unsigned int d = 0; d < dim; ++d)
+          velocity[d] += point.values[v] *
+                         solution.velocity.local_element(dim * nodes[v] + d);
       const double measure = weight * point.determinant;
       integrals.volume += measure;
-      integrals.moment_of_position += measure * position;
+      integrals.moment_of_position +=
+        measure * dealii::Tensor<1, dim>(Q1::position<dim>(cell.vertices, xi));
       integrals.moment_of_velocity += measure * velocity;
     }
 

@@ -1,8 +1,6 @@
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
 #include <thalweg/postprocess/phase_integrals.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
 {
@@ -10,42 +8,34 @@ namespace Thalweg
   {
     /// The volume of each fluid.
     template <int dim>
-    class PhaseVolume : public Postprocessor<dim>
+    class PhaseVolume : public TableOutput<dim>
     {
     public:
-      void
-      declare_parameters(const Section &section) override
-      {
-        schedule.declare_parameters(section, "rows");
-      }
-
-
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
-      {
-        std::vector<std::string> columns{"time [s]"};
-        for (unsigned int f = 0; f < solution.fluids.size(); ++f)
-          columns.push_back(solution.fluids[f].name + " volume [" +
-                            length_unit(dim) + "]");
-        file.open(context, "phase_volume.csv", columns);
-      }
-
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
-        const auto          phases = integrate_phases(solution);
-        std::vector<double> row{solution.time};
-        for (unsigned int f = 0; f < solution.fluids.size(); ++f)
-          row.push_back(phases[f].volume);
-        file.write_row(context, row);
-      }
+      PhaseVolume()
+        : TableOutput<dim>("phase_volume.csv")
+      {}
 
     private:
-      Schedule schedule;
-      CsvFile  file;
+      std::vector<std::string>
+      columns(const SolutionView<dim> &solution) override
+      {
+        std::vector<std::string> names;
+        for (unsigned int f = 0; f < solution.fluids.size(); ++f)
+          names.push_back(solution.fluids[f].name + " volume [" +
+                          length_unit(dim) + "]");
+        return names;
+      }
+
+
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
+      {
+        const auto          phases = integrate_phases(solution);
+        std::vector<double> values;
+        for (unsigned int f = 0; f < solution.fluids.size(); ++f)
+          values.push_back(phases[f].volume);
+        return values;
+      }
     };
   } // namespace
 

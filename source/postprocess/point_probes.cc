@@ -1,8 +1,6 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
 {
@@ -10,59 +8,68 @@ namespace Thalweg
   {
     /// The fields at given points.
     template <int dim>
-    class PointProbes : public Postprocessor<dim>
+    class PointProbes : public TableOutput<dim>
     {
     public:
+      PointProbes()
+        : TableOutput<dim>("point_probes.csv")
+      {}
+
+
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &outline) const override
+      {
+        AssertThrow(!points.empty(),
+                    dealii::ExcMessage("'point probes' has no 'Points'; give "
+                                       "some or take it off the list."));
+        if (outline.fills_domain)
+          locate(outline.mesh, points, "The point probe");
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Points",
                     points,
                     "m",
                     "The points, separated by semicolons, their coordinates "
                     "by commas.");
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &) override
       {
-        AssertThrow(!points.empty(),
-                    dealii::ExcMessage("'point probes' has no 'Points'; give "
-                                       "some or take it off the list."));
-        locate(solution.mesh, points, "The point probe");
-        std::vector<std::string> columns{"time [s]"};
+        std::vector<std::string> names;
         for (std::size_t p = 0; p < points.size(); ++p)
           {
             const std::string number = " " + std::to_string(p);
-            columns.push_back("pressure" + number + " [Pa]");
+            names.push_back("pressure" + number + " [Pa]");
             for (unsigned int d = 0; d < dim; ++d)
-              columns.push_back(std::string("velocity ") + "xyz"[d] + number +
-                                " [m/s]");
-            columns.push_back("level set" + number + " [m]");
+              names.push_back(std::string("velocity ") + "xyz"[d] + number +
+                              " [m/s]");
+            names.push_back("level set" + number + " [m]");
           }
-        file.open(context, "point_probes.csv", columns);
+        return names;
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
       {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
         // Located anew each time, since the mesh may have changed.
         const auto located = locate(solution.mesh, points, "The point probe");
-        std::vector<double> row(1 + points.size() * (dim + 2), 0.);
+        std::vector<double> values(points.size() * (dim + 2), 0.);
         for (std::size_t p = 0; p < points.size(); ++p)
           if (located[p].is_here)
-            evaluate(solution, located[p], &row[1 + p * (dim + 2)]);
-        dealii::Utilities::MPI::sum(row, context.communicator, row);
-        row[0] = solution.time;
-        file.write_row(context, row);
+            evaluate(solution, located[p], &values[p * (dim + 2)]);
+        dealii::Utilities::MPI::sum(
+          values, solution.mesh.triangulation().get_communicator(), values);
+        return values;
       }
 
-    private:
+
       /// Writes pressure, velocity and level set to @p values.
       static void
       evaluate(const SolutionView<dim> &solution,
@@ -84,8 +91,6 @@ namespace Thalweg
 
 
       std::vector<dealii::Point<dim>> points;
-      Schedule                        schedule;
-      CsvFile                         file;
     };
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/simplex_cut.h>
 #include <thalweg/postprocess/cell_access.h>
 #include <thalweg/postprocess/vertical_line.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace Thalweg
 {
@@ -77,7 +79,7 @@ namespace Thalweg
       double to   = -from;
       for (unsigned int i = 0; i <= dim; ++i)
         {
-          corners[i] = real_point<dim>(cell, simplex.corners[i]);
+          corners[i] = Q1::position<dim>(cell.vertices, simplex.corners[i]);
           from       = std::min(from, corners[i][axis] - origin[axis]);
           to         = std::max(to, corners[i][axis] - origin[axis]);
         }
@@ -100,14 +102,21 @@ namespace Thalweg
     }
 
 
+    /// The level set at the vertices of a cell of the graph.
+    template <int dim>
+    using CellLevelSet =
+      std::function<std::array<double, (1 << dim)>(const unsigned int)>;
+
+
     /// The line through exactly @p origin.
     template <int dim>
     LineContent
-    cut_shifted_line(const SolutionView<dim>  &solution,
+    cut_shifted_line(const Mesh<dim>          &mesh,
+                     const CellLevelSet<dim>  &level_set,
                      const dealii::Point<dim> &origin,
                      const unsigned int        axis)
     {
-      const CellGraph<dim> &graph = solution.mesh.graph();
+      const CellGraph<dim> &graph = mesh.graph();
       LineContent           content;
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
         {
@@ -125,18 +134,52 @@ namespace Thalweg
                 meets = meets && lower <= origin[d] && origin[d] <= upper;
               }
           if (meets)
-            for (const auto &simplex :
-                 SimplexCut::divide<dim>(cell_level_set(solution, c)))
+            for (const auto &simplex : SimplexCut::divide<dim>(level_set(c)))
               add_simplex<dim>(cell, simplex, origin, axis, content);
         }
-      const MPI_Comm communicator =
-        solution.mesh.triangulation().get_communicator();
+      const MPI_Comm communicator = mesh.triangulation().get_communicator();
       content.length =
         dealii::Utilities::MPI::sum(content.length, communicator);
       content.wet_length =
         dealii::Utilities::MPI::sum(content.wet_length, communicator);
       content.top = dealii::Utilities::MPI::max(content.top, communicator);
       return content;
+    }
+
+
+    /// The line through @p point or, if it lies in faces, beside it.
+    template <int dim>
+    LineContent
+    cut_line_of(const Mesh<dim>          &mesh,
+                const CellLevelSet<dim>  &level_set,
+                const dealii::Point<dim> &point,
+                const unsigned int        axis)
+    {
+      double size = 0.;
+      for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+        size = std::max(size, mesh.graph().cell(c).vertices.back().norm());
+      const double shift =
+        1e-9 *
+        dealii::Utilities::MPI::max(size,
+                                    mesh.triangulation().get_communicator());
+
+      LineContent best;
+      for (unsigned int side = 0; side < (1u << dim); ++side)
+        {
+          if ((side >> axis) & 1u)
+            continue;
+          dealii::Point<dim> origin = point;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (d != axis)
+              // Unequal in each direction, to stay off diagonals too.
+              origin[d] +=
+                ((side >> d) & 1u ? -1. : 1.) * (1. + .3 * d) * shift;
+          const LineContent content =
+            cut_shifted_line(mesh, level_set, origin, axis);
+          if (content.length > best.length * (1. + 1e-6))
+            best = content;
+        }
+      return best;
     }
   } // namespace
 
@@ -147,29 +190,26 @@ namespace Thalweg
            const dealii::Point<dim> &point,
            const unsigned int        axis)
   {
-    double size = 0.;
-    for (unsigned int c = 0; c < solution.mesh.graph().n_owned_cells(); ++c)
-      size =
-        std::max(size, solution.mesh.graph().cell(c).vertices.back().norm());
-    const double shift =
-      1e-9 * dealii::Utilities::MPI::max(
-               size, solution.mesh.triangulation().get_communicator());
+    return cut_line_of<dim>(
+      solution.mesh,
+      [&](const unsigned int cell) { return cell_level_set(solution, cell); },
+      point,
+      axis);
+  }
 
-    LineContent best;
-    for (unsigned int side = 0; side < (1u << dim); ++side)
-      {
-        if ((side >> axis) & 1u)
-          continue;
-        dealii::Point<dim> origin = point;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (d != axis)
-            // Unequal in each direction, to stay off diagonals too.
-            origin[d] += ((side >> d) & 1u ? -1. : 1.) * (1. + .3 * d) * shift;
-        const LineContent content = cut_shifted_line(solution, origin, axis);
-        if (content.length > best.length * (1. + 1e-6))
-          best = content;
-      }
-    return best;
+
+  template <int dim>
+  bool
+  meets_line(const Mesh<dim>          &mesh,
+             const dealii::Point<dim> &point,
+             const unsigned int        axis)
+  {
+    const auto positive = [](const unsigned int) {
+      std::array<double, (1 << dim)> phi;
+      phi.fill(1.);
+      return phi;
+    };
+    return cut_line_of<dim>(mesh, positive, point, axis).length > 0.;
   }
 
 
@@ -181,4 +221,8 @@ namespace Thalweg
   cut_line(const SolutionView<3> &,
            const dealii::Point<3> &,
            const unsigned int);
+  template bool
+  meets_line(const Mesh<2> &, const dealii::Point<2> &, const unsigned int);
+  template bool
+  meets_line(const Mesh<3> &, const dealii::Point<3> &, const unsigned int);
 } // namespace Thalweg

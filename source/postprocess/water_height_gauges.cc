@@ -1,7 +1,5 @@
 #include <thalweg/postprocess/cell_access.h>
-#include <thalweg/postprocess/csv_file.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/scheduled_output.h>
 #include <thalweg/postprocess/vertical_line.h>
 
 namespace Thalweg
@@ -10,11 +8,38 @@ namespace Thalweg
   {
     /// How much of fluid 0 stands above given places.
     template <int dim>
-    class WaterHeightGauges : public Postprocessor<dim>
+    class WaterHeightGauges : public TableOutput<dim>
     {
     public:
+      WaterHeightGauges()
+        : TableOutput<dim>("water_height_gauges.csv")
+      {}
+
+
       void
-      declare_parameters(const Section &section) override
+      check(const RunOutline<dim> &outline) const override
+      {
+        AssertThrow(!positions.empty(),
+                    dealii::ExcMessage(
+                      "'water height gauges' has no 'Positions'; give some "
+                      "or take it off the list."));
+        if (!outline.fills_domain)
+          return;
+        for (std::size_t g = 0; g < positions.size(); ++g)
+          {
+            std::string place;
+            for (const double coordinate : positions[g])
+              place += dealii::Utilities::to_string(coordinate) + " ";
+            AssertThrow(
+              meets_line(outline.mesh, point(g), axis_number(vertical)),
+              dealii::ExcMessage("The water height gauge at " + place +
+                                 "does not meet the mesh; move it inside."));
+          }
+      }
+
+    private:
+      void
+      declare_own_parameters(const Section &section) override
       {
         section.add("Vertical direction",
                     vertical,
@@ -39,52 +64,36 @@ namespace Thalweg
                     floor,
                     "m",
                     "The coordinate from which the top is measured.");
-        schedule.declare_parameters(section, "rows");
       }
 
 
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
+      std::vector<std::string>
+      columns(const SolutionView<dim> &) override
       {
-        AssertThrow(!positions.empty(),
-                    dealii::ExcMessage(
-                      "'water height gauges' has no 'Positions'; give some "
-                      "or take it off the list."));
-        std::vector<std::string> columns{"time [s]"};
+        std::vector<std::string> names;
         for (std::size_t g = 0; g < positions.size(); ++g)
-          {
-            std::string place;
-            for (const double coordinate : positions[g])
-              place += dealii::Utilities::to_string(coordinate) + " ";
-            AssertThrow(
-              cut_line(solution, point(g), axis_number(vertical)).length > 0.,
-              dealii::ExcMessage("The water height gauge at " + place +
-                                 "does not meet the mesh; move it inside."));
-            const std::string number = " " + std::to_string(g) + " [m]";
-            columns.push_back("wet height" + number);
-            columns.push_back("top" + number);
-          }
-        file.open(context, "water_height_gauges.csv", columns);
+          for (const std::string quantity : {"wet height ", "top "})
+            names.push_back(quantity + std::to_string(g) + " [m]");
+        return names;
       }
 
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      std::vector<double>
+      row(const SolutionView<dim> &solution) override
       {
-        if (!schedule.is_due(solution.time, solution.last_step))
-          return;
-        std::vector<double> row{solution.time};
+        std::vector<double> values;
         for (std::size_t g = 0; g < positions.size(); ++g)
           {
             const LineContent content =
               cut_line(solution, point(g), axis_number(vertical));
-            row.push_back(content.wet_length);
-            row.push_back(content.wet_length > 0. ? content.top - floor : 0.);
+            values.push_back(content.wet_length);
+            values.push_back(content.wet_length > 0. ? content.top - floor
+                                                     : 0.);
           }
-        file.write_row(context, row);
+        return values;
       }
 
-    private:
+
       /// A point on gauge @p g.
       dealii::Point<dim>
       point(const std::size_t g) const
@@ -101,8 +110,6 @@ namespace Thalweg
       std::string                      vertical = "y";
       std::vector<std::vector<double>> positions;
       double                           floor = 0.;
-      Schedule                         schedule;
-      CsvFile                          file;
     };
   } // namespace
 

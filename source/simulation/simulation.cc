@@ -10,6 +10,32 @@ namespace Thalweg
 {
   namespace
   {
+    /// How the statistics begin; behind these stand the columns of the solver
+    /// and the wall times.
+    const std::vector<std::string> leading_columns{
+      "step",
+      "time [s]",
+      "dt [s]",
+      "Courant number",
+      "cells",
+      "dofs",
+      "particles",
+      "particles added",
+      "particles removed",
+      "particles left",
+      "particles lost",
+      "volume 1 before shift [m^d]",
+      "volume 1 [m^d]",
+      "volume 2 [m^d]",
+      "target volume 1 [m^d]",
+      "level set shift",
+      "kinetic energy [J]",
+      "potential energy [J]",
+      "max velocity 1 [m/s]",
+      "max velocity 2 [m/s]"};
+
+
+
     /// The initial level set as particles carry it: cut off at a distance,
     /// or with that distance wherever it is not zero.
     template <int dim>
@@ -222,6 +248,7 @@ namespace Thalweg
   Simulation<dim>::run()
   {
     const double none = 0.;
+    context.statistics.declare(leading_columns);
     if (context.is_root && !context.output_directory.empty())
       context.statistics.open(context.output_directory + "/statistics.csv");
     {
@@ -237,7 +264,10 @@ namespace Thalweg
       " processes");
     const auto postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
-      postprocessor->initialize(context, view());
+      {
+        postprocessor->check({mesh, parameters.fluids});
+        postprocessor->initialize(context, view());
+      }
     {
       dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
       for (Postprocessor<dim> *postprocessor : postprocessors)

@@ -4,6 +4,22 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// Whether refinement leaves the domain as it is.
+    template <int dim>
+    bool
+    has_flat_cells(const Mesh<dim> &mesh)
+    {
+      const auto manifolds = mesh.triangulation().get_manifold_ids();
+      return std::all_of(manifolds.begin(), manifolds.end(), [](const auto id) {
+        return id == dealii::numbers::flat_manifold_id;
+      });
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   SimulationParameters<dim>::declare(const Section &root)
@@ -109,14 +125,24 @@ namespace Thalweg
                             1,
                             "Refinement/Local levels");
     });
-    collect([this]() {
-      Mesh<dim> coarse(MPI_COMM_SELF);
+    Mesh<dim> coarse(MPI_COMM_SELF);
+    bool      has_mesh = false;
+    collect([&]() {
       coarse.create_coarse(mesh);
+      coarse.update();
+      has_mesh = true;
+    });
+    if (!has_mesh)
+      return;
+    collect([&]() {
       const BoundaryConditions<dim> conditions(boundary_conditions, coarse);
       for (const auto &[id, condition] : conditions.all())
         if (!condition.inflow_fluid.empty())
           fluids.index(condition.inflow_fluid);
     });
+    const RunOutline<dim> outline{coarse, fluids, has_flat_cells(coarse)};
+    for (const Postprocessor<dim> *postprocessor : postprocessors.chosen())
+      collect([&]() { postprocessor->check(outline); });
   }
 
 

@@ -3,24 +3,11 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cstdio>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
-#include <unistd.h>
+
+#include "support/files.h"
 
 using namespace Thalweg;
-
-namespace
-{
-  std::string
-  content(const std::string &path)
-  {
-    const std::ifstream file(path);
-    std::ostringstream  text;
-    text << file.rdbuf();
-    return text.str();
-  }
-} // namespace
 
 
 TEST(Statistics, AddsWithinARowAndRemembersTheLast)
@@ -41,9 +28,8 @@ TEST(Statistics, AddsWithinARowAndRemembersTheLast)
 
 TEST(Statistics, WritesHeaderAndRows)
 {
-  const std::string path =
-    ::testing::TempDir() + "thalweg_" + std::to_string(getpid()) + ".csv";
-  Statistics statistics;
+  const std::string path = own_path("statistics.csv");
+  Statistics        statistics;
   statistics.open(path);
   statistics.set("step", 1.);
   statistics.set("time [s]", 0.125);
@@ -60,4 +46,22 @@ TEST(Statistics, RefusesAPathThatCannotBeWritten)
   Statistics statistics;
   EXPECT_THROW(statistics.open("/nonexistent/statistics.csv"),
                dealii::StandardExceptions::ExcMessage);
+}
+
+
+TEST(Statistics, BeginsWithTheDeclaredColumnsThatTheFirstRowHas)
+{
+  const std::string path = own_path("ordered.csv");
+  Statistics        statistics;
+  statistics.declare({"step", "time [s]", "particles"});
+  statistics.open(path);
+  statistics.set("iterations", 7.);
+  statistics.set("time [s]", 0.125);
+  statistics.set("step", 1.);
+  statistics.end_row();
+  statistics.set("particles", 3.);
+  statistics.set("step", 2.);
+  statistics.end_row();
+  EXPECT_EQ(content(path), "step,time [s],iterations\n1,0.125,7\n2,,\n");
+  std::remove(path.c_str());
 }

@@ -2,48 +2,39 @@
 #define thalweg_tests_postprocess_fixture_h
 
 #include <thalweg/core/context.h>
-#include <thalweg/fields/node_space.h>
-#include <thalweg/materials/fluids.h>
-#include <thalweg/particles/population.h>
 #include <thalweg/postprocess/postprocessor.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <gtest/gtest.h>
+#include <memory>
 #include <sstream>
 #include <string>
-#include <unistd.h>
+#include <utility>
 #include <vector>
 
-/// A state with fields given by functions, on a mesh given by settings.
+#include "support/files.h"
+#include "support/scene.h"
+
+/// A scene with fields given by functions, for those who look at them.
 template <int dim>
-class State
+class State : public Scene<dim>
 {
 public:
-  using Function = std::function<double(const dealii::Point<dim> &)>;
+  using Scalar = typename Scene<dim>::Scalar;
 
-  explicit State(const std::vector<std::string> &settings)
-    : context(MPI_COMM_WORLD)
-    , mesh(MPI_COMM_WORLD)
+  /// @param settings the text of an input file
+  explicit State(const std::string &settings)
+    : Scene<dim>(settings)
+    , context(MPI_COMM_WORLD)
   {
-    {
-      const Thalweg::Section root(prm);
-      parameters.declare(root);
-      fluids.declare_parameters(root);
-    }
-    std::string input;
-    for (const std::string &line : settings)
-      input += line + "\n";
-    prm.parse_input_from_string(input);
-    mesh.create(parameters);
-    space      = std::make_unique<Thalweg::NodeSpace<dim>>(mesh);
-    population = std::make_unique<Thalweg::Population<dim>>(mesh);
-    space->initialize_scalar(pressure);
-    space->initialize_scalar(level_set);
-    space->initialize_velocity(velocity);
+    this->space->initialize_scalar(pressure);
+    this->space->initialize_scalar(level_set);
+    this->space->initialize_velocity(velocity);
     set(level_set, [](const auto &) { return -1.; });
-    directory();
+    static unsigned int n    = 0;
+    context.output_directory = own_path("state_" + std::to_string(n++));
+    std::filesystem::create_directories(context.output_directory);
   }
 
   ~State()
@@ -56,20 +47,27 @@ public:
   /// Sets component @p component of @p n_components at all nodes.
   void
   set(Thalweg::Vector   &vector,
-      const Function    &function,
+      const Scalar      &function,
       const unsigned int n_components = 1,
       const unsigned int component    = 0)
   {
-    for (unsigned int c = 0; c < mesh.graph().n_cells(); ++c)
-      for (unsigned int v = 0; v < (1u << dim); ++v)
-        vector.local_element(n_components * space->nodes(c)[v] + component) =
-          function(mesh.graph().cell(c).vertices[v]);
+    const auto &graph = this->mesh.graph();
+    for (unsigned int c = 0; c < graph.n_cells(); ++c)
+      for (unsigned int v = 0; v < graph.n_vertices; ++v)
+        vector.local_element(n_components * this->space->nodes(c)[v] +
+                             component) = function(graph.cell(c).vertices[v]);
   }
 
   Thalweg::SolutionView<dim>
   view() const
   {
-    return {mesh, *space, fluids, *population, velocity, pressure, level_set};
+    return {this->mesh,
+            *this->space,
+            this->fluids,
+            *this->population,
+            velocity,
+            pressure,
+            level_set};
   }
 
   /// Lets a postprocessor look once, at @p time, and returns it.
@@ -91,6 +89,7 @@ public:
     auto solution      = view();
     solution.time      = time;
     solution.last_step = true;
+    tool->check({this->mesh, this->fluids});
     tool->initialize(context, solution);
     tool->execute(context, solution);
     return tool;
@@ -115,28 +114,8 @@ public:
     return {header, values};
   }
 
-  dealii::ParameterHandler                  prm;
-  Thalweg::Context                          context;
-  Thalweg::MeshParameters<dim>              parameters;
-  Thalweg::Fluids                           fluids;
-  Thalweg::Mesh<dim>                        mesh;
-  std::unique_ptr<Thalweg::NodeSpace<dim>>  space;
-  std::unique_ptr<Thalweg::Population<dim>> population;
-  Thalweg::Vector                           velocity, pressure, level_set;
-
-private:
-  /// One directory for all processes.
-  void
-  directory()
-  {
-    static unsigned int n = 0;
-    const int           root_process =
-      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, int(getpid()), 0);
-    context.output_directory = ::testing::TempDir() + "thalweg_" +
-                               std::to_string(root_process) + "_" +
-                               std::to_string(n++);
-    std::filesystem::create_directories(context.output_directory);
-  }
+  Thalweg::Context context;
+  Thalweg::Vector  velocity, pressure, level_set;
 };
 
 #endif

@@ -4,15 +4,7 @@
 
 namespace
 {
-  const std::vector<std::string> box = {
-    "subsection Geometry",
-    "  subsection box",
-    "    set Repetitions = 8, 8",
-    "  end",
-    "end",
-    "subsection Refinement",
-    "  set Local levels = if(x < 0.6, 1, 0)",
-    "end"};
+  const std::string box = unit_box<2>(8, "if(x < 0.6, 1, 0)");
 } // namespace
 
 
@@ -43,11 +35,7 @@ TEST(InterfaceErrorMpi, MeasuresWhatLiesBetweenTwoPlanes)
 
 TEST(InterfaceErrorMpi, SamplesAnExactSphereFinely)
 {
-  State<3> state({"subsection Geometry",
-                  "  subsection box",
-                  "    set Repetitions = 4, 4, 4",
-                  "  end",
-                  "end"});
+  State<3> state(unit_box<3>(4));
   state.set(state.level_set, [](const auto &) { return 1.; });
   state.run("interface error",
             {"Level set = sqrt((x-0.5)^2 + (y-0.5)^2 + (z-0.5)^2) - 0.3"});

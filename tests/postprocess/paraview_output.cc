@@ -4,14 +4,12 @@
 
 namespace
 {
+  /// What stands in a file after all processes have written.
   std::string
-  content(const std::string &path)
+  written(const std::string &path)
   {
     MPI_Barrier(MPI_COMM_WORLD);
-    std::ifstream     file(path);
-    std::stringstream text;
-    text << file.rdbuf();
-    return text.str();
+    return content(path);
   }
 
 
@@ -30,8 +28,8 @@ namespace
   void
   check_output()
   {
-    State<dim> state({"subsection Refinement", "set Global levels = 3", "end"});
-    auto      &handler             = state.population->handler();
+    State<dim>         state(section("Refinement", {"Global levels = 3"}));
+    auto              &handler     = state.population->handler();
     const unsigned int n_particles = 3 * state.mesh.graph().n_owned_cells();
     for (unsigned int p = 0; p < n_particles; ++p)
       {
@@ -51,17 +49,17 @@ namespace
     const auto particles = state.run("particles");
 
     const std::string &directory = state.context.output_directory;
-    const std::string  record    = content(directory + "/fields.pvd");
+    const std::string  record    = written(directory + "/fields.pvd");
     EXPECT_NE(record.find("file=\"fields/fields_0000."), std::string::npos)
       << record;
     EXPECT_FALSE(std::filesystem::exists(directory + "/fields.pvd.new"));
-    const std::string vtu = content(directory + "/fields/fields_0000.0.vtu");
+    const std::string vtu = written(directory + "/fields/fields_0000.0.vtu");
     for (const std::string name :
          {"velocity", "pressure", "level_set", "density", "subdomain"})
       EXPECT_NE(vtu.find("Name=\"" + name + "\""), std::string::npos) << name;
 
     const std::string cloud =
-      content(directory + "/particles/particles_0000.0.vtu");
+      written(directory + "/particles/particles_0000.0.vtu");
     for (const std::string name : {"id", "velocity", "level_set"})
       EXPECT_NE(cloud.find("Name=\"" + name + "\""), std::string::npos) << name;
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)

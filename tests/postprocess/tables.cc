@@ -4,43 +4,31 @@
 #include <cmath>
 
 #include "fixture.h"
+#include "support/complaint.h"
 
 namespace
 {
-  const std::vector<std::string> box_2d = {
-    "subsection Geometry",
-    "  subsection box",
-    "    set Upper corner = 2, 1",
-    "    set Repetitions = 4, 2",
-    "  end",
-    "end",
-    "subsection Refinement",
-    "  set Global levels = 2",
-    "  set Local levels = if(x < 0.6, 1, 0)",
-    "end"};
+  const std::string box_2d =
+    section("Geometry",
+            {},
+            section("box", {"Upper corner = 2, 1", "Repetitions = 4, 2"})) +
+    section("Refinement",
+            {"Global levels = 2", "Local levels = if(x < 0.6, 1, 0)"});
 
-  const std::vector<std::string> box_3d = {
-    "subsection Geometry",
-    "  subsection box",
-    "    set Upper corner = 2, 1, 1",
-    "    set Repetitions = 4, 2, 2",
-    "  end",
-    "end",
-    "subsection Refinement",
-    "  set Local levels = if(x < 0.6, 1, 0)",
-    "end"};
+  const std::string box_3d =
+    section("Geometry",
+            {},
+            section("box",
+                    {"Upper corner = 2, 1, 1", "Repetitions = 4, 2, 2"})) +
+    section("Refinement", {"Local levels = if(x < 0.6, 1, 0)"});
 
-  const std::vector<std::string> shell = {
-    "subsection Geometry",
-    "  set Model = generator",
-    "  subsection generator",
-    "    set Function = hyper_shell",
-    "    set Arguments = 0, 0 : 1 : 2 : 12 : true",
-    "  end",
-    "end",
-    "subsection Refinement",
-    "  set Global levels = 3",
-    "end"};
+  const std::string shell =
+    section("Geometry",
+            {"Model = generator"},
+            section("generator",
+                    {"Function = hyper_shell",
+                     "Arguments = 0, 0 : 1 : 2 : 12 : true"})) +
+    section("Refinement", {"Global levels = 3"});
 
   template <int dim>
   std::string
@@ -48,17 +36,7 @@ namespace
             const std::string              &model,
             const std::vector<std::string> &settings)
   {
-    try
-      {
-        state.run(model, settings);
-      }
-    catch (const dealii::ExceptionBase &exception)
-      {
-        std::ostringstream text;
-        exception.print_info(text);
-        return text.str();
-      }
-    return "";
+    return complaint_of([&]() { state.run(model, settings); });
   }
 } // namespace
 

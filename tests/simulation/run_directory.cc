@@ -1,37 +1,12 @@
 #include <thalweg/simulation/run_directory.h>
 
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <sstream>
-#include <unistd.h>
+
+#include "support/files.h"
 
 using namespace Thalweg;
 namespace fs = std::filesystem;
-
-namespace
-{
-  std::string
-  content(const fs::path &path)
-  {
-    const std::ifstream file(path);
-    std::ostringstream  text;
-    text << file.rdbuf();
-    return text.str();
-  }
-
-
-
-  /// A path that no other run of the tests uses, the same on all processes.
-  fs::path
-  own_path(const std::string &name)
-  {
-    const int number =
-      dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, int(getpid()), 0);
-    return fs::path(::testing::TempDir()) /
-           ("thalweg_" + std::to_string(number) + "_" + name);
-  }
-} // namespace
 
 
 

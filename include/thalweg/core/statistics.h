@@ -12,10 +12,11 @@ namespace Thalweg
    * @brief A table with one row a time step, written to a CSV file as the
    * run goes on.
    *
-   * Columns are named with their unit, "time [s]". All columns must be set
-   * before the first row ends; later rows keep the first row's header, and a
-   * column that is not set in a row stays empty; one that is set later for the
-   * first time is not written.
+   * Columns are named with their unit, "time [s]". They stand in the order in
+   * which they were declared, the others behind them in that of their first
+   * use. All columns must be set before the first row ends; later rows keep
+   * the first row's header, and a column that is not set in a row stays empty;
+   * one that is set later for the first time is not written.
    */
   class Statistics
   {
@@ -27,6 +28,11 @@ namespace Thalweg
     /// @throws dealii::ExcMessage if the file cannot be written
     void
     open(const std::string &path);
+
+    /// Lets the table begin with these columns, as far as the first row has
+    /// them. Call it before any value is set.
+    void
+    declare(const std::vector<std::string> &leading_columns);
 
     /// Sets the value of column @p name in the current row.
     void
@@ -45,6 +51,13 @@ namespace Thalweg
     bool
     has(const std::string &name) const;
 
+    /// The columns in their order, with those that have no value yet.
+    const std::vector<std::string> &
+    column_names() const
+    {
+      return columns;
+    }
+
     /// Ends the row: writes it and starts the next.
     void
     end_row();
@@ -54,7 +67,7 @@ namespace Thalweg
     std::vector<std::string>      columns;
     std::map<std::string, double> row;
     std::map<std::string, double> last_row;
-    bool                          header_written    = false;
+    bool                          first_row         = true;
     std::size_t                   n_columns_in_file = 0;
   };
 } // namespace Thalweg

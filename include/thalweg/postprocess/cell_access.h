@@ -32,12 +32,6 @@ namespace Thalweg
   std::array<double, (1 << dim)>
   cell_level_set(const SolutionView<dim> &solution, const unsigned int cell);
 
-  /// The real point at @p xi in a cell of the graph.
-  template <int dim>
-  dealii::Point<dim>
-  real_point(const typename CellGraph<dim>::Cell &cell,
-             const dealii::Point<dim>            &xi);
-
   /// A point in a locally owned cell.
   template <int dim>
   struct LocatedPoint

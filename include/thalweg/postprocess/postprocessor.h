@@ -7,6 +7,18 @@
 
 namespace Thalweg
 {
+  /// What is known of a run before it begins.
+  template <int dim>
+  struct RunOutline
+  {
+    /// The mesh, or a coarser one of the same domain.
+    const Mesh<dim> &mesh;
+    const Fluids    &fluids;
+    /// Whether the mesh fills the domain exactly; a coarse one with curved
+    /// sides does not.
+    bool fills_domain = true;
+  };
+
   /**
    * @brief Something that looks at the solution after a step and writes what
    * it sees; it changes nothing.
@@ -20,8 +32,14 @@ namespace Thalweg
     virtual void
     declare_parameters(const Section &section) = 0;
 
-    /// Called once before the first step; checks its parameters against the
-    /// mesh. @throws dealii::ExcMessage
+    /// Checks the parameters; collective over the processes of the mesh.
+    /// @throws dealii::ExcMessage
+    virtual void
+    check(const RunOutline<dim> &) const
+    {}
+
+    /// Called once before the first step, when check() has passed.
+    /// @throws dealii::ExcMessage if nothing can be written
     virtual void
     initialize(Context &context, const SolutionView<dim> &solution) = 0;
 

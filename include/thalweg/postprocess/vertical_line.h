@@ -28,6 +28,14 @@ namespace Thalweg
   cut_line(const SolutionView<dim>  &solution,
            const dealii::Point<dim> &point,
            const unsigned int        axis);
+
+  /// Whether the line through @p point parallel to @p axis meets the mesh.
+  /// Collective.
+  template <int dim>
+  bool
+  meets_line(const Mesh<dim>          &mesh,
+             const dealii::Point<dim> &point,
+             const unsigned int        axis);
 } // namespace Thalweg
 
 #endif

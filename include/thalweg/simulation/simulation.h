@@ -22,7 +22,8 @@ namespace Thalweg
     declare(const Section &root);
 
     /// Appends every fault that can be found without running to @p faults:
-    /// fluids, expressions, boundary names (the coarse mesh is built), times.
+    /// fluids, expressions, times, and on the coarse mesh boundary names and
+    /// what the postprocessors look at.
     void
     check(std::vector<std::string> &faults) const;
 

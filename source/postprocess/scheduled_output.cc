@@ -1,0 +1,56 @@
+#include <thalweg/postprocess/scheduled_output.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  ScheduledOutput<dim>::declare_parameters(const Section &section)
+  {
+    declare_own_parameters(section);
+    schedule.declare_parameters(section, what);
+  }
+
+
+  template <int dim>
+  void
+  ScheduledOutput<dim>::execute(Context                 &context,
+                                const SolutionView<dim> &solution)
+  {
+    if (schedule.is_due(solution.time, solution.last_step))
+      write(context, solution);
+  }
+
+
+  template <int dim>
+  void
+  TableOutput<dim>::initialize(Context                 &context,
+                               const SolutionView<dim> &solution)
+  {
+    std::vector<std::string> names = columns(solution);
+    names.insert(names.begin(), "time [s]");
+    file.open(context, file_name, names);
+  }
+
+
+  template <int dim>
+  void
+  TableOutput<dim>::write(Context &context, const SolutionView<dim> &solution)
+  {
+    std::vector<double> values = row(solution);
+    values.insert(values.begin(), solution.time);
+    file.write_row(context, values);
+  }
+
+
+  template <int dim>
+  void
+  SeriesOutput<dim>::initialize(Context &context, const SolutionView<dim> &)
+  {
+    record.open(context, name);
+  }
+
+
+  THALWEG_INSTANTIATE(ScheduledOutput)
+  THALWEG_INSTANTIATE(TableOutput)
+  THALWEG_INSTANTIATE(SeriesOutput)
+} // namespace Thalweg

@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include "run_case.h"
+#include "support/input.h"
+
+
+
+TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
+{
+  const RunCase<2> run(
+    unit_box<2>(4) + section("Time", {"Time step = 0.01", "End time = 0.02"}) +
+    section("Initial conditions", {"Level set = y - 0.4"}));
+  const std::vector<std::string> expected{"step",
+                                          "time [s]",
+                                          "dt [s]",
+                                          "Courant number",
+                                          "cells",
+                                          "dofs",
+                                          "particles",
+                                          "particles added",
+                                          "particles removed",
+                                          "particles left",
+                                          "particles lost",
+                                          "volume 1 before shift [m^d]",
+                                          "volume 1 [m^d]",
+                                          "volume 2 [m^d]",
+                                          "target volume 1 [m^d]",
+                                          "level set shift",
+                                          "kinetic energy [J]",
+                                          "potential energy [J]",
+                                          "max velocity 1 [m/s]",
+                                          "max velocity 2 [m/s]"};
+  const auto &columns = run.context.statistics.column_names();
+  ASSERT_GT(columns.size(), expected.size());
+  EXPECT_EQ(std::vector<std::string>(columns.begin(),
+                                     columns.begin() + expected.size()),
+            expected);
+
+  // Then the solver's, and at the end the wall times.
+  bool wall = false;
+  for (std::size_t c = expected.size(); c < columns.size(); ++c)
+    {
+      const bool is_wall = columns[c].substr(0, 5) == "wall ";
+      EXPECT_TRUE(is_wall || !wall) << columns[c];
+      wall = is_wall;
+    }
+  EXPECT_TRUE(wall);
+}

@@ -1,0 +1,27 @@
+#ifndef tests_support_complaint_h
+#define tests_support_complaint_h
+
+#include <deal.II/base/exceptions.h>
+
+#include <sstream>
+#include <string>
+
+/// What an exception says that @p action throws; empty: nothing is thrown.
+template <typename Action>
+std::string
+complaint_of(const Action &action)
+{
+  try
+    {
+      action();
+    }
+  catch (const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      return text.str();
+    }
+  return "";
+}
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef tests_support_input_h
+#define tests_support_input_h
+
+#include <string>
+#include <vector>
+
+/// The text of a section of an input file with @p settings, "name = value",
+/// and the text of subsections behind them.
+inline std::string
+section(const std::string              &name,
+        const std::vector<std::string> &settings,
+        const std::string              &subsections = "")
+{
+  std::string text = "subsection " + name + "\n";
+  for (const std::string &setting : settings)
+    text += "set " + setting + "\n";
+  return text + subsections + "end\n";
+}
+
+
+
+/// The unit box of n^dim cells, refined once more where @p levels says so.
+template <int dim>
+std::string
+unit_box(const unsigned int              n,
+         const std::string              &levels   = "0",
+         const std::vector<std::string> &geometry = {})
+{
+  std::string repetitions = std::to_string(n);
+  for (unsigned int d = 1; d < dim; ++d)
+    repetitions += ", " + std::to_string(n);
+  return section("Geometry",
+                 geometry,
+                 section("box", {"Repetitions = " + repetitions})) +
+         section("Refinement", {"Local levels = " + levels});
+}
+
+/// Half of the unit box refined, with hanging nodes on a stair.
+template <int dim>
+std::string
+hanging_box(const unsigned int n, const std::vector<std::string> &geometry = {})
+{
+  return unit_box<dim>(n, "if(x + y < 0.9, 1, 0)", geometry);
+}
+
+/// A given viscosity and density of the only fluid.
+inline std::string
+one_fluid(const double density, const double viscosity)
+{
+  return section("Fluids",
+                 {"Number = 1"},
+                 section("First fluid",
+                         {"Density = " + std::to_string(density),
+                          "Viscosity = " + std::to_string(viscosity)}));
+}
+
+/// Densities and viscosities of two fluids.
+inline std::string
+two_fluids(const double density_1,
+           const double density_2,
+           const double viscosity_1 = 0.,
+           const double viscosity_2 = 0.)
+{
+  return section("Fluids",
+                 {},
+                 section("First fluid",
+                         {"Density = " + std::to_string(density_1),
+                          "Viscosity = " + std::to_string(viscosity_1)}) +
+                   section("Second fluid",
+                           {"Density = " + std::to_string(density_2),
+                            "Viscosity = " + std::to_string(viscosity_2)}));
+}
+
+#endif

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "particles/setup.h"
+#include "support/dimensions.h"
 
 namespace
 {
@@ -79,8 +80,6 @@ namespace
   template <typename T>
   class RedistanceMpi : public testing::Test
   {};
-  using Dimensions = testing::Types<std::integral_constant<int, 2>,
-                                    std::integral_constant<int, 3>>;
   TYPED_TEST_SUITE(RedistanceMpi, Dimensions);
 } // namespace
 

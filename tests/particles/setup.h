@@ -8,15 +8,18 @@
 #include <deal.II/base/function_lib.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <functional>
 #include <map>
+
+#include "support/meshes.h"
 
 namespace ParticleTest
 {
   using dealii::Point;
   using dealii::Tensor;
+  using Meshes::distort;
+  using Meshes::refine_around;
 
   template <int dim>
   using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
@@ -43,39 +46,6 @@ namespace ParticleTest
     dealii::GridTools::collect_periodic_faces(
       mesh.triangulation(), 0, 1, 0, pairs);
     mesh.triangulation().add_periodicity(pairs);
-    mesh.update();
-  }
-
-  /// Refines the cells whose centre lies within a radius.
-  template <int dim>
-  void
-  refine_around(Thalweg::Mesh<dim> &mesh,
-                const Point<dim>   &center,
-                const double        radius)
-  {
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned() && cell->center().distance(center) < radius)
-        cell->set_refine_flag();
-    mesh.triangulation().execute_coarsening_and_refinement();
-    mesh.update();
-  }
-
-  /// Bends the inner lines of a box; vertices of refined cells follow.
-  template <int dim>
-  void
-  distort(Thalweg::Mesh<dim> &mesh, const double amplitude)
-  {
-    dealii::GridTools::transform(
-      [&](const Point<dim> &p) {
-        double bubble = amplitude;
-        for (unsigned int d = 0; d < dim; ++d)
-          bubble *= std::sin(dealii::numbers::PI * p[d]);
-        Point<dim> q = p;
-        for (unsigned int d = 0; d < dim; ++d)
-          q[d] += bubble * std::cos(3. * p[(d + 1) % dim] + d);
-        return q;
-      },
-      mesh.triangulation());
     mesh.update();
   }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "run_case.h"
+#include "support/input.h"
 
 namespace
 {
@@ -12,23 +13,12 @@ namespace
            const std::string &gravity,
            const std::string &level_set)
   {
-    return "subsection Geometry\n subsection box\n  set Repetitions = " +
-           repetitions +
-           "\n end\nend\n"
-           "subsection Refinement\n set Local levels = " +
-           local_levels +
-           "\nend\n"
-           "subsection Time\n set Time step = 0.01\n set End time = 0.2\nend\n"
-           "subsection Body forces\n set Gravity = " +
-           gravity +
-           "\nend\n"
-           "subsection Initial conditions\n set Level set = " +
-           level_set +
-           "\nend\n"
-           "subsection Boundary conditions\n set Open = top: 0\nend\n"
-           "subsection Fluid solver\n subsection fractional step\n"
-           "  set Pressure tolerance = 1e-11\n"
-           "  set Velocity tolerance = 1e-12\n end\nend\n";
+    return box_of(repetitions, local_levels) +
+           section("Time", {"Time step = 0.01", "End time = 0.2"}) +
+           section("Body forces", {"Gravity = " + gravity}) +
+           section("Initial conditions", {"Level set = " + level_set}) +
+           section("Boundary conditions", {"Open = top: 0"}) +
+           tight_solver("1e-11", "1e-12");
   }
 
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "run_case.h"
+#include "support/input.h"
 
 namespace
 {
@@ -13,23 +14,11 @@ namespace
        const std::string &repetitions,
        const std::string &more = "")
   {
-    return "subsection Geometry\n subsection box\n  set Repetitions = " +
-           repetitions +
-           "\n end\nend\n"
-           "subsection Refinement\n set Local levels = " +
-           local_levels +
-           "\nend\n"
-           "subsection Time\n set Time step = 0.01\n set End time = 0.1\nend\n"
-           "subsection Body forces\n set Gravity = " +
-           gravity +
-           "\nend\n"
-           "subsection Initial conditions\n set Level set = " +
-           level_set +
-           "\nend\n"
-           "subsection Fluid solver\n subsection fractional step\n"
-           "  set Pressure tolerance = 1e-13\n"
-           "  set Velocity tolerance = 1e-13\n end\nend\n" +
-           more;
+    return box_of(repetitions, local_levels) +
+           section("Time", {"Time step = 0.01", "End time = 0.1"}) +
+           section("Body forces", {"Gravity = " + gravity}) +
+           section("Initial conditions", {"Level set = " + level_set}) +
+           tight_solver("1e-13", "1e-13") + more;
   }
 
 
@@ -42,9 +31,8 @@ namespace
                     run.last("max velocity 2 [m/s]"));
   }
 
-  const std::string plane =
-    "subsection Particles\n set Distance band = 100\nend\n"
-    "subsection Projection\n set Model = least squares\nend\n";
+  const std::string plane = section("Particles", {"Distance band = 100"}) +
+                            section("Projection", {"Model = least squares"});
 } // namespace
 
 
@@ -95,11 +83,10 @@ TEST(Rest, TiltedPlaneAcrossHangingNodesStaysAtRest3d)
 
 TEST(Rest, WithoutEnrichmentItMoves)
 {
-  const RunCase<2> run(
-    rest("y - 0.45",
-         "0, -9.81",
-         "0",
-         "10, 10",
-         "subsection Interface\n set Enrichment = none\nend\n"));
+  const RunCase<2> run(rest("y - 0.45",
+                            "0, -9.81",
+                            "0",
+                            "10, 10",
+                            section("Interface", {"Enrichment = none"})));
   EXPECT_GT(largest_velocity(run), 1e-3);
 }

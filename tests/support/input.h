@@ -19,6 +19,19 @@ section(const std::string              &name,
 
 
 
+/// A unit box with these repetitions, "4, 4", refined as often as @p levels
+/// says.
+inline std::string
+box_of(const std::string              &repetitions,
+       const std::string              &levels,
+       const std::vector<std::string> &geometry = {})
+{
+  return section("Geometry",
+                 geometry,
+                 section("box", {"Repetitions = " + repetitions})) +
+         section("Refinement", {"Local levels = " + levels});
+}
+
 /// The unit box of n^dim cells, refined once more where @p levels says so.
 template <int dim>
 std::string
@@ -29,10 +42,7 @@ unit_box(const unsigned int              n,
   std::string repetitions = std::to_string(n);
   for (unsigned int d = 1; d < dim; ++d)
     repetitions += ", " + std::to_string(n);
-  return section("Geometry",
-                 geometry,
-                 section("box", {"Repetitions = " + repetitions})) +
-         section("Refinement", {"Local levels = " + levels});
+  return box_of(repetitions, levels, geometry);
 }
 
 /// Half of the unit box refined, with hanging nodes on a stair.
@@ -69,6 +79,17 @@ two_fluids(const double density_1,
                    section("Second fluid",
                            {"Density = " + std::to_string(density_2),
                             "Viscosity = " + std::to_string(viscosity_2)}));
+}
+
+/// How accurate the fractional step's linear solvers are.
+inline std::string
+tight_solver(const std::string &pressure, const std::string &velocity)
+{
+  return section("Fluid solver",
+                 {},
+                 section("fractional step",
+                         {"Pressure tolerance = " + pressure,
+                          "Velocity tolerance = " + velocity}));
 }
 
 #endif

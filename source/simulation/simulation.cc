@@ -5,6 +5,7 @@
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -279,6 +280,7 @@ namespace Thalweg
       {
         const double rate = courant_rate(parameters.method->velocity());
         const double dt   = parameters.time.next_step(time, rate, old_dt);
+        check_courant_number(rate * dt);
         parameters.method->advance(time, dt);
         time += dt;
         last_dt = dt;
@@ -302,6 +304,23 @@ namespace Thalweg
         context.statistics.end_row();
       }
     progress.summarize(step);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::check_courant_number(const double courant_number) const
+  {
+    constexpr double largest = 1e4;
+    std::ostringstream message;
+    message << "In step " << step + 1 << " (t = " << time
+            << " s) the Courant number is " << courant_number
+            << ": either the solution diverges, or the step is far too long. "
+               "Reduce 'Time/Courant number' or 'Time/Time step', and check "
+               "velocities and units in the input.";
+    AssertThrow(std::isfinite(courant_number) && courant_number < largest,
+                dealii::ExcMessage(message.str()));
   }
 
 

@@ -82,6 +82,10 @@ namespace Thalweg
     double
     courant_rate(const Vector &velocity) const;
 
+    /// Stops a run that has diverged. @throws dealii::ExcMessage
+    void
+    check_courant_number(const double courant_number) const;
+
     void
     record(const double dt);
 

@@ -24,6 +24,11 @@ namespace Thalweg
       for (const auto &pair : mesh.periodic_pairs())
         dealii::DoFTools::make_periodicity_constraints(
           dofs, pair.first, pair.second, pair.direction, constraints);
+      // A ghost cell's hanging node may have its masters in a cell that is
+      // unknown here.
+      constraints.make_consistent_in_parallel(dofs.locally_owned_dofs(),
+                                              relevant,
+                                              dofs.get_communicator());
       constraints.close();
     }
 

@@ -277,7 +277,13 @@ namespace Thalweg
     std::vector<double>    star_residual(cuts.size(), 0.);
     if (with_forces)
       {
-        assemble_residual(velocity, dt, true, nullptr, star_residual);
+        // Given pressures are part of the right hand side: they may be all
+        // that moves the fluid.
+        EnrichedPressure given{{}, std::vector<double>(cuts.size(), 0.)};
+        space.initialize_scalar(given.nodal);
+        apply_open_boundary(given.nodal);
+        space.interpolate(given.nodal, 1);
+        assemble_residual(velocity, dt, true, &given, star_residual);
         reference_norm = residual.l2_norm();
       }
     assemble_residual(velocity,

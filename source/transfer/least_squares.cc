@@ -246,7 +246,10 @@ namespace Thalweg
     average->project(population, space, fluids, velocity, level_set);
 
     constexpr unsigned int n      = dim + 1;
-    const double           length = space.mesh().graph().minimal_extent();
+    // One length on all processes, since they add up their moments.
+    const double length = dealii::Utilities::MPI::min(
+      space.mesh().graph().minimal_extent(),
+      space.mesh().triangulation().get_communicator());
     Moments<dim>           moments(space);
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       accumulate(population, space, c, length, moments);

@@ -181,3 +181,27 @@ TYPED_TEST(NodeSpaceMpi, FunctionsAreInterpolatedAtAllNodes)
                     Linear().value(scene.mesh.graph().cell(c).vertices[v], d),
                     1e-13);
 }
+
+
+
+TYPED_TEST(NodeSpaceMpi, HangingNodesOfGhostCellsHaveTheirValuesToo)
+{
+  constexpr int    dim = TypeParam::value;
+  const Scene<dim> scene(periodic_hanging_box<dim>());
+  const auto       linear = [](const dealii::Point<dim> &p) {
+    return 1. + 2. * p[dim - 1];
+  };
+  Vector values;
+  scene.space->initialize_scalar(values);
+  scene.for_each_node([&](const unsigned int n, const auto &p) {
+    values.local_element(n) = linear(p);
+  });
+  scene.space->interpolate(values, 1);
+  for (unsigned int c = scene.mesh.graph().n_owned_cells();
+       c < scene.mesh.graph().n_cells();
+       ++c)
+    for (unsigned int v = 0; v < (1u << dim); ++v)
+      EXPECT_NEAR(values.local_element(scene.space->nodes(c)[v]),
+                  linear(scene.mesh.graph().cell(c).vertices[v]),
+                  1e-12);
+}

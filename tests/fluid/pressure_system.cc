@@ -200,6 +200,24 @@ TYPED_TEST(PressureSystemMpi, OpenBoundariesSetTheLevelOfThePressure)
 
 
 
+TYPED_TEST(PressureSystemMpi, OpenBoundariesActOnAFluidAtRest)
+{
+  // Nothing else moves the fluid than the pressures at both ends.
+  constexpr int dim = TypeParam::value;
+  Scene<dim>    scene(
+    hanging_box<dim>(4) + one_fluid(3., 0.) +
+    section("Boundary conditions", {"Open = left: 7 | right: 2"}));
+  scene.set_phases([](const auto &) { return -1.; });
+  EXPECT_LT(error(
+              scene,
+              solve(scene, scene.velocity(rest<dim>()), .1),
+              [](const auto &x) { return 7. - 5. * x[0]; },
+              false),
+            1e-9);
+}
+
+
+
 TYPED_TEST(PressureSystemMpi, AConstantForceDensityIsBalancedExactly)
 {
   constexpr int     dim   = TypeParam::value;

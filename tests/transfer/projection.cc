@@ -18,9 +18,9 @@ namespace
   TYPED_TEST_SUITE(ProjectionMpi, Dimensions);
 
   template <typename T>
-  class LeastSquares : public testing::Test
+  class LeastSquaresMpi : public testing::Test
   {};
-  TYPED_TEST_SUITE(LeastSquares, Dimensions);
+  TYPED_TEST_SUITE(LeastSquaresMpi, Dimensions);
 
   template <typename T>
   class IncrementMpi : public testing::Test
@@ -229,7 +229,7 @@ TYPED_TEST(ProjectionMpi, NodesWithoutParticlesKeepTheirValues)
 
 
 
-TYPED_TEST(LeastSquares, AreExactForPlanes)
+TYPED_TEST(LeastSquaresMpi, AreExactForPlanes)
 {
   constexpr int dim = TypeParam::value;
   Scene<dim>    bent(unit_box<dim>(4), Meshes::distort_and_refine<dim>);

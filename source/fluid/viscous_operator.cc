@@ -19,13 +19,9 @@ namespace Thalweg
 
   template <int dim>
   dealii::Tensor<2, dim>
-  ViscousOperator<dim>::CellViscosity::stress(
-    const dealii::Tensor<2, dim> &velocity_gradient) const
+  ViscousOperator<dim>::CellViscosity::laminate_stress(
+    const dealii::Tensor<2, dim> &twice_rate) const
   {
-    const dealii::Tensor<2, dim> twice_rate =
-      velocity_gradient + transpose(velocity_gradient);
-    if (!cut)
-      return viscosity * twice_rate;
     const dealii::Tensor<1, dim> traction = twice_rate * cut->normal;
     const dealii::Tensor<1, dim> shear =
       traction - (traction * cut->normal) * cut->normal;

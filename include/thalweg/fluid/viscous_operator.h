@@ -65,8 +65,17 @@ namespace Thalweg
       const CutCell<dim> *cut;       ///< nullptr in an uncut cell
 
       /// The stress for a velocity gradient.
-      inline dealii::Tensor<2, dim>
-      stress(const dealii::Tensor<2, dim> &velocity_gradient) const;
+      dealii::Tensor<2, dim>
+      stress(const dealii::Tensor<2, dim> &velocity_gradient) const
+      {
+        const dealii::Tensor<2, dim> twice_rate =
+          velocity_gradient + transpose(velocity_gradient);
+        return cut ? laminate_stress(twice_rate) : viscosity * twice_rate;
+      }
+
+      /// The same in a cut cell from twice the rate of strain.
+      dealii::Tensor<2, dim>
+      laminate_stress(const dealii::Tensor<2, dim> &twice_rate) const;
 
       /// The stress of a velocity in direction @p component that has the
       /// gradient @p gradient, times the same: an entry of the diagonal.

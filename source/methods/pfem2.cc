@@ -74,8 +74,8 @@ namespace Thalweg
   {
     parts->conditions.set_time(time + new_lead);
     parts->forces.set_time(time + new_lead);
-    acceleration_time = time + new_lead - velocity_time;
-    velocity_time     = time + new_lead;
+    acceleration_time = time + new_lead - flow_time;
+    flow_time         = time + new_lead;
     lead              = new_lead;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
     parts->flow.solve(velocity_star, acceleration_time); // (87b) to (87e)
@@ -110,7 +110,7 @@ namespace Thalweg
     unsigned int     n_added, n_removed;
     if (acceleration_time == 0)
       {
-        velocity_time = time;
+        flow_time = time;
         if (streamline_velocity == "staggered")
           accelerate(time, .5 * dt);
       }

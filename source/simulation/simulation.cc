@@ -30,6 +30,7 @@ namespace Thalweg
       "volume 2 [m^d]",
       "target volume 1 [m^d]",
       "level set shift",
+      "velocity time [s]",
       "kinetic energy [J]",
       "potential energy [J]",
       "max velocity 1 [m/s]",
@@ -204,6 +205,7 @@ namespace Thalweg
             phase->level_set(),
             time,
             last_dt,
+            parameters.method->velocity_time(time),
             step,
             parameters.time.end_time(),
             parameters.time.is_over(time, step)};
@@ -312,7 +314,7 @@ namespace Thalweg
   void
   Simulation<dim>::check_courant_number(const double courant_number) const
   {
-    constexpr double largest = 1e4;
+    constexpr double   largest = 1e4;
     std::ostringstream message;
     message << "In step " << step + 1 << " (t = " << time
             << " s) the Courant number is " << courant_number
@@ -340,6 +342,7 @@ namespace Thalweg
     statistics.set("volume 2 [m^d]", phase->total_volume() - phase->volume());
     statistics.set("target volume 1 [m^d]", phase->target_volume);
     statistics.set("level set shift", phase->shift());
+    statistics.set("velocity time [s]", parameters.method->velocity_time(time));
     for (const auto &[name, value] :
          flow_quantities(view(), *phase, parameters.forces.gravity()))
       statistics.set(name, value);

@@ -26,6 +26,7 @@ TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
                                           "volume 2 [m^d]",
                                           "target volume 1 [m^d]",
                                           "level set shift",
+                                          "velocity time [s]",
                                           "kinetic energy [J]",
                                           "potential energy [J]",
                                           "max velocity 1 [m/s]",

@@ -65,6 +65,14 @@ namespace Thalweg
     virtual void
     advance(const double time, const double dt) = 0;
 
+    /// The time of the flow's velocity, in s, when the last step has ended
+    /// at @p time: later where velocities are staggered.
+    virtual double
+    velocity_time(const double time) const
+    {
+      return time;
+    }
+
     /// The velocity that the next step convects with, to choose its size.
     virtual const Vector &
     velocity() const = 0;

@@ -24,6 +24,12 @@ namespace Thalweg
     void
     advance(const double time, const double dt) override;
 
+    double
+    velocity_time(const double time) const override
+    {
+      return time + lead;
+    }
+
     const Vector &
     velocity() const override
     {
@@ -51,10 +57,10 @@ namespace Thalweg
     Vector                      level_set;
     CellVelocity<dim>           cell_velocity;
     CellField<dim, 1>           cell_level_set;
-    /// The time of the flow's velocity, and how far it is ahead of the
+    /// The time of the flow's velocity, and by how much it is ahead of the
     /// particles' positions: half a step if velocities are staggered.
-    double velocity_time = 0;
-    double lead          = 0;
+    double flow_time = 0;
+    double lead      = 0;
     /// How long the last acceleration took, 0 before the first.
     double acceleration_time = 0;
   };

@@ -25,11 +25,13 @@ namespace Thalweg
     const Vector          &pressure; ///< Pa, on space.scalar()
     const Vector &level_set;         ///< negative in fluid 0, on space.scalar()
 
-    double       time      = 0.; ///< s
-    double       time_step = 0.; ///< s; 0 at the start
-    unsigned int step      = 0;
-    double       end_time  = 0.; ///< s
-    bool         last_step = false;
+    double time      = 0.; ///< s
+    double time_step = 0.; ///< s; 0 at the start
+    /// The time of the velocity in s: half a step ahead if it is staggered.
+    double       velocity_time = 0.;
+    unsigned int step          = 0;
+    double       end_time      = 0.; ///< s
+    bool         last_step     = false;
   };
 } // namespace Thalweg
 

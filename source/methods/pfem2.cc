@@ -8,17 +8,19 @@ namespace Thalweg
   void
   Pfem2<dim>::declare_parameters(const Section &section)
   {
-    section.add("Streamline velocity",
-                streamline_velocity,
-                "",
-                "Particles follow the streamlines of the last velocity field "
-                "V^n (`frozen`, first order in time), or of the one "
-                "extrapolated from the last two to the middle of the step "
-                "(`extrapolated`: second order for positions, damps waves), or "
-                "velocities are those at the middle of the steps from the "
-                "first step on (`staggered`, the leapfrog scheme: second "
-                "order, and waves keep their amplitude).",
-                dealii::Patterns::Selection("frozen|extrapolated|staggered"));
+    section.add(
+      "Time integration",
+      time_integration,
+      "",
+      "Particles follow the streamlines of the last velocity and are then "
+      "accelerated for the whole step (`frozen`, first order); of the one "
+      "extrapolated from the last two to the middle of the step "
+      "(`extrapolated`: second order for positions, damps waves); velocities "
+      "are those at the middle of the steps from the first step on "
+      "(`staggered`, the leapfrog scheme: waves keep their amplitude); or "
+      "half of the acceleration comes before the particles move and half "
+      "after it (`trapezoidal`: second order in everything).",
+      dealii::Patterns::Selection("frozen|extrapolated|staggered|trapezoidal"));
   }
 
 
@@ -48,14 +50,46 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::choose_convecting_velocity(const double dt)
+  Pfem2<dim>::accelerate_before_convection(const double time, const double dt)
+  {
+    if (acceleration_time == 0)
+      {
+        if (time_integration == "staggered" ||
+            time_integration == "trapezoidal")
+          accelerate(.5 * dt, time + .5 * dt);
+      }
+    else if (time_integration == "trapezoidal")
+      add_increment(parts->population,
+                    parts->space,
+                    parts->flow.velocity(),
+                    velocity_star,
+                    .5 * dt / acceleration_time); // (66), (81a)
+  }
+
+
+
+  template <int dim>
+  double
+  Pfem2<dim>::end_of_acceleration(const double time, const double dt) const
+  {
+    if (time_integration != "staggered")
+      return time;
+    // A step that was cut short does not pull the velocity back in time.
+    return std::max(time + .5 * dt, flow_time + .5 * dt);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::choose_convecting_velocity(const double time)
   {
     const Vector &v = parts->flow.velocity();
     convecting_velocity.zero_out_ghost_values();
     convecting_velocity.copy_locally_owned_data_from(v);
-    if (streamline_velocity != "frozen" && acceleration_time > 0)
+    if (time_integration != "frozen" && flow_time > old_flow_time)
       {
-        const double factor = (.5 * dt - lead) / acceleration_time;
+        const double factor = (time - flow_time) / (flow_time - old_flow_time);
         convecting_velocity.add(factor, v);
         convecting_velocity.add(-factor, old_velocity);
       }
@@ -70,13 +104,13 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::accelerate(const double time, const double new_lead)
+  Pfem2<dim>::accelerate(const double duration, const double time)
   {
-    parts->conditions.set_time(time + new_lead);
-    parts->forces.set_time(time + new_lead);
-    acceleration_time = time + new_lead - flow_time;
-    flow_time         = time + new_lead;
-    lead              = new_lead;
+    parts->conditions.set_time(time);
+    parts->forces.set_time(time);
+    acceleration_time = duration;
+    old_flow_time     = flow_time;
+    flow_time         = time;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
     parts->flow.solve(velocity_star, acceleration_time); // (87b) to (87e)
     dealii::TimerOutput::Scope scope(parts->context.timers, "increment");
@@ -108,13 +142,8 @@ namespace Thalweg
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
-    if (acceleration_time == 0)
-      {
-        flow_time = time;
-        if (streamline_velocity == "staggered")
-          accelerate(time, .5 * dt);
-      }
-    choose_convecting_velocity(dt);
+    accelerate_before_convection(time, dt);
+    choose_convecting_velocity(time + .5 * dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");
       report = convection.move(population, cell_velocity, dt); // (87a)
@@ -134,11 +163,9 @@ namespace Thalweg
       phase.target_volume -= dt * phase.outflow(convecting_velocity, boundary);
       phase.rebuild(level_set);
     }
-    // A step that was cut short does not pull the velocity back in time.
-    accelerate(time + dt, // (87b) to (87e), (87) 3
-               streamline_velocity == "staggered"
-                 ? std::max(.5 * dt, lead - .5 * dt)
-                 : 0.);
+    const double end = end_of_acceleration(time + dt, dt);
+    accelerate(time_integration == "trapezoidal" ? .5 * dt : end - flow_time,
+               end); // (87b) to (87e), (87) 3
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_removed = control.limit(population);

@@ -8,7 +8,8 @@ namespace Thalweg
   add_increment(Population<dim>      &population,
                 const NodeSpace<dim> &space,
                 const Vector         &new_velocity,
-                const Vector         &velocity_star)
+                const Vector         &velocity_star,
+                const double          factor)
   {
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
@@ -18,8 +19,8 @@ namespace Thalweg
         for (unsigned int v = 0; v < nodes.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
             increment[dim * v + d] =
-              new_velocity.local_element(dim * nodes[v] + d) -
-              velocity_star.local_element(dim * nodes[v] + d);
+              factor * (new_velocity.local_element(dim * nodes[v] + d) -
+                        velocity_star.local_element(dim * nodes[v] + d));
         for (auto &particle :
              population.handler().particles_in_cell(graph.iterator(c)))
           {
@@ -40,10 +41,12 @@ namespace Thalweg
   add_increment<2>(Population<2> &,
                    const NodeSpace<2> &,
                    const Vector &,
-                   const Vector &);
+                   const Vector &,
+                   const double);
   template void
   add_increment<3>(Population<3> &,
                    const NodeSpace<3> &,
                    const Vector &,
-                   const Vector &);
+                   const Vector &,
+                   const double);
 } // namespace Thalweg

@@ -25,9 +25,9 @@ namespace Thalweg
     advance(const double time, const double dt) override;
 
     double
-    velocity_time(const double time) const override
+    velocity_time(const double) const override
     {
-      return time + lead;
+      return flow_time;
     }
 
     const Vector &
@@ -37,18 +37,26 @@ namespace Thalweg
     }
 
   private:
-    /// The velocity along whose streamlines the particles go in the next
-    /// @p dt.
+    /// Accelerates the particles with what acts on them where they are, as
+    /// far as the time integration takes this from the step's beginning.
     void
-    choose_convecting_velocity(const double dt);
+    accelerate_before_convection(const double time, const double dt);
 
-    /// The mesh solves for what acts on the convected velocity, and the
-    /// particles take the increment: afterwards they are at @p time, and
-    /// their velocities at @p time + @p new_lead.
+    /// The velocity at @p time, along whose streamlines the particles go.
     void
-    accelerate(const double time, const double new_lead);
+    choose_convecting_velocity(const double time);
 
-    std::string streamline_velocity = "staggered";
+    /// When the velocity of the mesh is to be after a step to @p time.
+    double
+    end_of_acceleration(const double time, const double dt) const;
+
+    /// The mesh solves for what acts on the convected velocity for
+    /// @p duration, and the particles take the increment: afterwards
+    /// velocities are those at @p time.
+    void
+    accelerate(const double duration, const double time);
+
+    std::string time_integration = "staggered";
 
     std::unique_ptr<Parts<dim>> parts;
     Vector                      convecting_velocity;
@@ -57,10 +65,9 @@ namespace Thalweg
     Vector                      level_set;
     CellVelocity<dim>           cell_velocity;
     CellField<dim, 1>           cell_level_set;
-    /// The time of the flow's velocity, and by how much it is ahead of the
-    /// particles' positions: half a step if velocities are staggered.
-    double flow_time = 0;
-    double lead      = 0;
+    /// The times of the flow's velocity and of the old one.
+    double flow_time     = 0;
+    double old_flow_time = 0;
     /// How long the last acceleration took, 0 before the first.
     double acceleration_time = 0;
   };

@@ -37,13 +37,14 @@ namespace Thalweg
             Vector                &level_set) const = 0;
   };
 
-  /// V_p += (V^{n+1} - V*)(x_p), Eq. 81e and 87.
+  /// V_p += factor (V^{n+1} - V*)(x_p), Eq. 81e and 87.
   template <int dim>
   void
   add_increment(Population<dim>      &population,
                 const NodeSpace<dim> &space,
                 const Vector         &new_velocity,
-                const Vector         &velocity_star);
+                const Vector         &velocity_star,
+                const double          factor = 1.);
 } // namespace Thalweg
 
 #endif

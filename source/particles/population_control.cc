@@ -2,6 +2,7 @@
 #include <thalweg/particles/population_control.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <array>
@@ -69,21 +70,19 @@ namespace Thalweg
       Holes<dim>  holes;
       for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
         {
-          unsigned int                n = 0;
+          const auto &handler = population.handler();
+          if (handler.n_particles_in_cell(graph.iterator(i)) >= minimum)
+            continue;
           std::array<bool, 1u << dim> occupied{};
           for (const auto &particle :
-               population.handler().particles_in_cell(graph.iterator(i)))
-            {
-              occupied[sub_cell(particle.get_reference_location())] = true;
-              ++n;
-            }
-          if (n < minimum)
-            for (unsigned int s = 0; s < occupied.size(); ++s)
-              if (!occupied[s])
-                {
-                  holes.cells.push_back(i);
-                  holes.reference_points.push_back(sub_cell_center<dim>(s));
-                }
+               handler.particles_in_cell(graph.iterator(i)))
+            occupied[sub_cell(particle.get_reference_location())] = true;
+          for (unsigned int s = 0; s < occupied.size(); ++s)
+            if (!occupied[s])
+              {
+                holes.cells.push_back(i);
+                holes.reference_points.push_back(sub_cell_center<dim>(s));
+              }
         }
       return holes;
     }
@@ -249,7 +248,10 @@ namespace Thalweg
           dealii::ArrayView<const double>(properties.data(),
                                           properties.size()));
       }
-    handler.update_cached_numbers();
+    // Counting is collective and visits all cells.
+    const MPI_Comm communicator = mesh.triangulation().get_communicator();
+    if (dealii::Utilities::MPI::max(feet.size(), communicator) > 0)
+      handler.update_cached_numbers();
     return feet.size();
   }
 
@@ -295,7 +297,10 @@ namespace Thalweg
                 to_remove.push_back(groups[g].particles[p]);
           }
       }
-    handler.remove_particles(to_remove);
+    const MPI_Comm communicator =
+      population.mesh().triangulation().get_communicator();
+    if (dealii::Utilities::MPI::max(to_remove.size(), communicator) > 0)
+      handler.remove_particles(to_remove);
     return to_remove.size();
   }
 

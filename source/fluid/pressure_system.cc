@@ -270,7 +270,8 @@ namespace Thalweg
                                const bool         with_forces,
                                EnrichedPressure  &pressure,
                                const double       tolerance,
-                               const unsigned int maximal_iterations)
+                               const unsigned int maximal_iterations,
+                               const double       reduction)
   {
     constexpr unsigned int n    = 1 << dim;
     const auto            &cuts = phase.cut_cells();
@@ -291,8 +292,9 @@ namespace Thalweg
                       with_forces,
                       with_forces ? &pressure : nullptr,
                       star_residual);
-    const SolveReport report =
-      solve(tolerance * reference_norm, maximal_iterations);
+    const SolveReport report = solve(std::max(tolerance * reference_norm,
+                                              reduction * residual.l2_norm()),
+                                     maximal_iterations);
     space.interpolate(increment, 1);
 
     pressure.nodal.zero_out_ghost_values();

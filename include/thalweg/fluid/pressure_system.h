@@ -67,6 +67,8 @@ namespace Thalweg
      * @param pressure its residual is the right hand side
      * @param tolerance relative to the norm of the first right hand side of
      *   the step, with all forces and no pressure
+     * @param reduction the solve may end when the residual has fallen to this
+     *   part, even if the tolerance is not reached
      * @return cost of the solve
      * @throws SolverFailure
      */
@@ -76,7 +78,8 @@ namespace Thalweg
             const bool         with_forces,
             EnrichedPressure  &pressure,
             const double       tolerance,
-            const unsigned int maximal_iterations);
+            const unsigned int maximal_iterations,
+            const double       reduction = 0.);
 
     /// Subtracts int N_i grad p in N, of this rank's cells; not folded.
     void

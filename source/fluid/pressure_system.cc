@@ -1,4 +1,5 @@
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/gather.h>
 #include <thalweg/fluid/pressure_system.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -8,38 +9,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// Values of a ghosted scalar at the nodes of a cell.
-    template <int dim>
-    std::array<double, (1 << dim)>
-    gather(const Vector                               &vector,
-           const std::array<unsigned int, (1 << dim)> &nodes)
-    {
-      std::array<double, (1 << dim)> values;
-      for (unsigned int v = 0; v < nodes.size(); ++v)
-        values[v] = vector.local_element(nodes[v]);
-      return values;
-    }
-
-
-
-    /// Values of a ghosted velocity at the nodes of a cell.
-    template <int dim>
-    std::array<double, dim *(1 << dim)>
-    gather_velocity(const Vector                               &vector,
-                    const std::array<unsigned int, (1 << dim)> &nodes)
-    {
-      std::array<double, dim *(1 << dim)> values;
-      for (unsigned int v = 0; v < nodes.size(); ++v)
-        for (unsigned int d = 0; d < dim; ++d)
-          values[dim * v + d] = vector.local_element(dim * nodes[v] + d);
-      return values;
-    }
-  } // namespace
-
-
-
   template <int dim>
   PressureSystem<dim>::PressureSystem(const NodeSpace<dim>     &space,
                                       const BoundaryNodes<dim> &boundary,

@@ -1,5 +1,6 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/core/send_plain.h>
+#include <thalweg/fields/gather.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/contour.h>
 #include <thalweg/interface/simplex_cut.h>
@@ -156,8 +157,7 @@ namespace Thalweg
     for (unsigned int c = 0; c < graph.n_cells(); ++c)
       {
         ContourPatch<dim> patch;
-        for (unsigned int v = 0; v < patch.phi.size(); ++v)
-          patch.phi[v] = phi.local_element(space.nodes(c)[v]);
+        patch.phi = gather<dim>(phi, space.nodes(c));
         const auto [smallest, largest] =
           std::minmax_element(patch.phi.begin(), patch.phi.end());
         if (*smallest >= 0 || *largest < 0)

@@ -59,11 +59,21 @@ namespace Thalweg
           accelerate(.5 * dt, time + .5 * dt);
       }
     else if (time_integration == "trapezoidal")
-      add_increment(parts->population,
-                    parts->space,
-                    parts->flow.velocity(),
-                    velocity_star,
-                    .5 * dt / acceleration_time); // (66), (81a)
+      accelerate_particles(.5 * dt / acceleration_time); // (66), (81a)
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::accelerate_particles(const double factor)
+  {
+    dealii::TimerOutput::Scope scope(parts->context.timers, "increment");
+    add_increment(parts->population,
+                  parts->space,
+                  parts->flow.velocity(),
+                  velocity_star,
+                  factor);
   }
 
 
@@ -75,7 +85,7 @@ namespace Thalweg
     if (time_integration != "staggered")
       return time;
     // A step that was cut short does not pull the velocity back in time.
-    return std::max(time + .5 * dt, flow_time + .5 * dt);
+    return std::max(time, flow_time) + .5 * dt;
   }
 
 
@@ -113,11 +123,7 @@ namespace Thalweg
     flow_time         = time;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
     parts->flow.solve(velocity_star, acceleration_time); // (87b) to (87e)
-    dealii::TimerOutput::Scope scope(parts->context.timers, "increment");
-    add_increment(parts->population,
-                  parts->space,
-                  parts->flow.velocity(),
-                  velocity_star); // (87) 3
+    accelerate_particles(1.);                            // (87) 3
   }
 
 

@@ -1,3 +1,4 @@
+#include <thalweg/fields/gather.h>
 #include <thalweg/postprocess/cell_access.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,12 +19,10 @@ namespace Thalweg
   std::array<double, (1 << dim)>
   cell_level_set(const SolutionView<dim> &solution, const unsigned int cell)
   {
+    if (solution.fluids.size() == 2)
+      return gather<dim>(solution.level_set, solution.space.nodes(cell));
     std::array<double, (1 << dim)> phi;
     phi.fill(-1.);
-    if (solution.fluids.size() == 2)
-      for (unsigned int v = 0; v < phi.size(); ++v)
-        phi[v] =
-          solution.level_set.local_element(solution.space.nodes(cell)[v]);
     return phi;
   }
 

@@ -89,13 +89,6 @@ namespace Thalweg
     void
     apply_open_boundary(Vector &pressure) const;
 
-    /// How often a multigrid hierarchy was built.
-    unsigned int
-    n_amg_builds() const
-    {
-      return amg.n_builds();
-    }
-
   private:
     /// After how many iterations the usual smoother is held to have failed;
     /// it needs about ten.

@@ -56,6 +56,10 @@ namespace Thalweg
     void
     accelerate(const double duration, const double time);
 
+    /// The particles take @p factor times the last increment of the mesh.
+    void
+    accelerate_particles(const double factor);
+
     std::string time_integration = "staggered";
 
     std::unique_ptr<Parts<dim>> parts;

@@ -208,7 +208,8 @@ namespace Thalweg
             parameters.method->velocity_time(time),
             step,
             parameters.time.end_time(),
-            parameters.time.is_over(time, step)};
+            parameters.time.is_over(time, step),
+            parameters.method->flow_fields()};
   }
 
 

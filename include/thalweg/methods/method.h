@@ -4,11 +4,14 @@
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fields/flow_fields.h>
 #include <thalweg/fluid/fluid_solver.h>
 #include <thalweg/interface/phase_field.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/streamline_convection.h>
 #include <thalweg/transfer/projection.h>
+
+#include <limits>
 
 namespace Thalweg
 {
@@ -76,6 +79,21 @@ namespace Thalweg
     /// The velocity that the next step convects with, to choose its size.
     virtual const Vector &
     velocity() const = 0;
+
+    /// The flow in spaces of the method's own, nullptr if it has none.
+    virtual const FlowFields<dim> *
+    flow_fields() const
+    {
+      return nullptr;
+    }
+
+    /// The largest Fourier number nu dt / h^2 with which steps are stable
+    /// (Eq. 65).
+    virtual double
+    fourier_limit() const
+    {
+      return std::numeric_limits<double>::infinity();
+    }
   };
 
   /// Writes what convection and population control did into the statistics.

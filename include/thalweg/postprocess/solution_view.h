@@ -1,6 +1,7 @@
 #ifndef thalweg_postprocess_solution_view_h
 #define thalweg_postprocess_solution_view_h
 
+#include <thalweg/fields/flow_fields.h>
 #include <thalweg/fields/node_space.h>
 #include <thalweg/materials/fluids.h>
 #include <thalweg/particles/population.h>
@@ -32,6 +33,10 @@ namespace Thalweg
     unsigned int step          = 0;
     double       end_time      = 0.; ///< s
     bool         last_step     = false;
+
+    /// The flow in its own spaces, where the method has such; then velocity
+    /// and pressure above are its values at the vertices. Else nullptr.
+    const FlowFields<dim> *flow = nullptr;
   };
 } // namespace Thalweg
 

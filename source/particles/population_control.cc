@@ -196,7 +196,19 @@ namespace Thalweg
     const StreamlineConvection<dim>                    &convection,
     const std::map<dealii::types::boundary_id, double> &inflow_level_set)
     : parameters(parameters)
-    , convection(convection)
+    , convection(&convection)
+    , inflow_level_set(inflow_level_set)
+  {
+    parameters.check();
+  }
+
+
+  template <int dim>
+  PopulationControl<dim>::PopulationControl(
+    const PopulationParameters<dim>                    &parameters,
+    const std::map<dealii::types::boundary_id, double> &inflow_level_set)
+    : parameters(parameters)
+    , convection(nullptr)
     , inflow_level_set(inflow_level_set)
   {
     parameters.check();
@@ -223,10 +235,28 @@ namespace Thalweg
                                            const CellField<dim, 1> &level_set,
                                            const double             dt) const
   {
+    Assert(convection != nullptr,
+           dealii::ExcMessage("This object was made without a convection: "
+                              "call fill_empty_cells() with a tracer."));
+    return fill_empty_cells(
+      population,
+      [&](const std::vector<unsigned int>       &cells,
+          const std::vector<dealii::Point<dim>> &reference_points) {
+        return convection->trace_back(
+          cells, reference_points, velocity, level_set, dt);
+      });
+  }
+
+
+  template <int dim>
+  unsigned int
+  PopulationControl<dim>::fill_empty_cells(Population<dim> &population,
+                                           const Tracer    &tracer) const
+  {
     const Holes<dim> holes =
       find_holes(population, parameters.minimum_per_cell);
-    const auto feet = convection.trace_back(
-      holes.cells, holes.reference_points, velocity, level_set, dt);
+    const auto feet = tracer(holes.cells, holes.reference_points);
+    AssertDimension(feet.size(), holes.cells.size());
 
     const auto &mesh    = population.mesh();
     auto       &handler = population.handler();

@@ -4,7 +4,9 @@
 #include <thalweg/core/section.h>
 #include <thalweg/particles/streamline_convection.h>
 
+#include <functional>
 #include <map>
+#include <vector>
 
 namespace Thalweg
 {
@@ -43,6 +45,17 @@ namespace Thalweg
     static constexpr unsigned int n_sub_cells = 1 << dim;
 
     /**
+     * @brief Finds where the particles that stand at given points now have
+     * come from in this time step. Collective.
+     *
+     * Arguments: numbers of owned cells in the cell graph, and as many points
+     * in their reference coordinates.
+     */
+    using Tracer = std::function<
+      std::vector<Foot<dim>>(const std::vector<unsigned int> &,
+                             const std::vector<dealii::Point<dim>> &)>;
+
+    /**
      * @param parameters the bounds
      * @param convection finds the origin of new particles; must outlive this
      *   object
@@ -56,6 +69,12 @@ namespace Thalweg
       const StreamlineConvection<dim>                    &convection,
       const std::map<dealii::types::boundary_id, double> &inflow_level_set);
 
+    /// The same for those who find the origin of new particles themselves,
+    /// with a Tracer.
+    PopulationControl(
+      const PopulationParameters<dim>                    &parameters,
+      const std::map<dealii::types::boundary_id, double> &inflow_level_set);
+
     /**
      * @brief Puts a particle into each empty sub-cell of the cells that have
      * fewer than the minimum. Collective.
@@ -63,6 +82,18 @@ namespace Thalweg
      * To be called after the particles were moved: a new particle gets the
      * velocity and the level set from the place where it was a time step
      * ago, on the streamline that leads to it.
+     *
+     * @param population gets the particles
+     * @param tracer finds where new particles come from, and their velocity
+     *   and level set; at boundaries with an inflow level set this one is
+     *   taken instead
+     * @return the number of new particles on this rank
+     */
+    unsigned int
+    fill_empty_cells(Population<dim> &population, const Tracer &tracer) const;
+
+    /**
+     * @brief The same with the streamlines of a steady field for tracer.
      *
      * @param population gets the particles
      * @param velocity with which the others were moved, in m/s
@@ -92,7 +123,7 @@ namespace Thalweg
     level_set_value(const Foot<dim> &foot) const;
 
     const PopulationParameters<dim>                    parameters;
-    const StreamlineConvection<dim>                   &convection;
+    const StreamlineConvection<dim>                   *convection;
     const std::map<dealii::types::boundary_id, double> inflow_level_set;
   };
 } // namespace Thalweg

@@ -1,0 +1,53 @@
+#ifndef thalweg_particles_population_snapshot_h
+#define thalweg_particles_population_snapshot_h
+
+#include <thalweg/particles/population.h>
+
+#include <array>
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief All particles of this rank as they were at one time, for steps
+   * that move the particles again from where they began.
+   *
+   * Memory is kept from one save() to the next.
+   */
+  template <int dim>
+  class PopulationSnapshot
+  {
+  public:
+    /// Remembers all particles of this rank.
+    void
+    save(const Population<dim> &population);
+
+    /**
+     * @brief Makes the population what it was at the last save(): ids,
+     * positions, properties and the order in each cell. Collective.
+     *
+     * Iterators to particles are invalid afterwards. Ids that were given in
+     * the meantime are not given again.
+     *
+     * @param population the one that was saved; its mesh must not have
+     *   changed since then
+     */
+    void
+    restore(Population<dim> &population) const;
+
+  private:
+    struct Particle
+    {
+      dealii::types::particle_index                     id;
+      dealii::Point<dim>                                position;
+      dealii::Point<dim>                                reference;
+      std::array<double, Population<dim>::n_properties> properties;
+    };
+
+    std::vector<Particle> particles;
+    /// The number of the first particle of each owned cell, and of all.
+    std::vector<unsigned int> begin_of_cell;
+  };
+} // namespace Thalweg
+
+#endif

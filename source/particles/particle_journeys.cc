@@ -1,12 +1,30 @@
-#include <thalweg/core/registry.h>
+#include <thalweg/particles/journey.h>
 #include <thalweg/particles/particle_journeys.h>
+#include <thalweg/particles/particle_storage.h>
+#include <thalweg/particles/path_field.h>
+
+#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace Thalweg
 {
   namespace
   {
+    /// What a particle takes along.
+    template <int dim>
+    struct Particle
+    {
+      dealii::types::particle_index                     id;
+      std::array<double, Population<dim>::n_properties> properties;
+    };
+
+    template <int dim, typename Field>
+    using ParticleTraveller =
+      Traveller<typename Field::WalkerType, Particle<dim>>;
+
     /// The numbers of the travellers that have arrived, cell by cell.
     struct Arrivals
     {
@@ -15,10 +33,10 @@ namespace Thalweg
       std::vector<unsigned int> travellers;
     };
 
-    template <int dim>
+    template <typename TravellerType>
     Arrivals
-    arrivals(const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-             const unsigned int                                n_cells)
+    arrivals(const std::vector<TravellerType> &travellers,
+             const unsigned int                n_cells)
     {
       constexpr unsigned int nowhere = dealii::numbers::invalid_unsigned_int;
       Arrivals               arrivals;
@@ -42,169 +60,166 @@ namespace Thalweg
       return arrivals;
     }
 
-    /// Writes a particle over another one of the same cell.
-    template <int dim>
+    /// Counts those that did not arrive.
+    template <int dim, typename TravellerType>
     void
-    overwrite(dealii::Particles::ParticleAccessor<dim> &place,
-              const dealii::Point<dim>                 &position,
-              const dealii::Point<dim>                 &reference,
-              const Particle<dim>                      &particle)
+    count_missing(const std::vector<TravellerType> &travellers,
+                  ConvectionReport                 &report)
     {
-      place.set_location(position);
-      place.set_reference_location(reference);
-      place.set_id(particle.id);
-      std::copy(particle.properties.begin(),
-                particle.properties.end(),
-                place.get_properties().begin());
+      for (const auto &[walker, particle] : travellers)
+        if (walker.fate == Fate::left)
+          {
+            const double level_set =
+              particle.properties[Population<dim>::level_set_offset];
+            ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
+          }
+        else if (walker.fate == Fate::lost)
+          ++report.n_lost;
     }
 
-    /// Whether the particles lie about in memory, so that loops over them
-    /// have to wait: many were inserted where others had been removed.
-    template <int dim>
-    bool
-    are_scattered(const Population<dim> &population)
+    /// Copies all particles out of the population, and lets each walk as far
+    /// as this rank reaches.
+    template <int dim, typename Field>
+    std::vector<ParticleTraveller<dim, Field>>
+    depart(const Population<dim>            &population,
+           const StreamlineWalk<dim, Field> &walk,
+           const double                      dt,
+           WalkEffort                       &effort)
     {
-      const auto  &graph       = population.mesh().graph();
-      std::size_t  n_particles = 0, n_jumps = 0;
-      unsigned int next = 0;
+      const auto &handler = population.handler();
+      const auto &graph   = population.mesh().graph();
+
+      std::vector<ParticleTraveller<dim, Field>> travellers;
+      travellers.reserve(handler.n_locally_owned_particles());
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
         for (const auto &particle :
-             population.handler().particles_in_cell(graph.iterator(c)))
+             handler.particles_in_cell(graph.iterator(c)))
           {
-            const unsigned int index = particle.get_local_index();
-            ++n_particles;
-            n_jumps += index == next ? 0 : 1;
-            next = index + 1;
+            ParticleTraveller<dim, Field> traveller;
+            traveller.walker =
+              Field::WalkerType::start(c,
+                                       particle.get_reference_location(),
+                                       dt);
+            traveller.luggage.id  = particle.get_id();
+            const auto properties = particle.get_properties();
+            std::copy(properties.begin(),
+                      properties.end(),
+                      traveller.luggage.properties.begin());
+            walk.walk(traveller.walker, effort);
+            travellers.push_back(traveller);
           }
-      return 4 * n_jumps > n_particles;
+      return travellers;
     }
 
-    /// Puts the particles @p begin to @p end of @p travellers in a cell in
-    /// place of those that are there: only the difference in number is
-    /// inserted or removed, which costs several times more.
-    template <int dim, typename Index>
-    void
-    store_in_cell(Population<dim>                                  &population,
-                  const StreamlineWalk<dim>                        &walk,
-                  const std::vector<Traveller<dim, Particle<dim>>> &travellers,
-                  const unsigned int                                cell,
-                  const Index                                       begin,
-                  const Index                                       end)
+    /// What a traveller has become where it arrived.
+    template <int dim, typename Field>
+    ParticleRecord<dim>
+    record_of(const StreamlineWalk<dim, Field>    &walk,
+              const ParticleTraveller<dim, Field> &traveller)
     {
-      auto              &handler = population.handler();
-      const auto        &where   = walk.graph().iterator(cell);
-      const unsigned int n_old   = handler.n_particles_in_cell(where);
-      const unsigned int n_new   = end - begin;
+      const auto &[walker, particle] = traveller;
+      ParticleRecord<dim> record;
+      record.id       = particle.id;
+      record.position = walk.position(walker);
+      for (unsigned int d = 0; d < dim; ++d)
+        record.reference[d] = walker.reference[d];
+      record.properties = particle.properties;
+      if constexpr (Field::accelerates)
+        for (unsigned int d = 0; d < dim; ++d)
+          record.properties[Population<dim>::velocity_offset + d] +=
+            walker.integral[d];
+      return record;
+    }
 
-      auto place = handler.particles_in_cell(where).begin();
-      for (unsigned int k = 0; k < n_new; ++k)
+    /// Makes those of the travellers that have arrived the population, and
+    /// returns how many they are.
+    template <int dim, typename Field>
+    std::size_t
+    arrive(Population<dim>                                  &population,
+           const StreamlineWalk<dim, Field>                 &walk,
+           const std::vector<ParticleTraveller<dim, Field>> &travellers)
+    {
+      const unsigned int n_cells = walk.graph().n_owned_cells();
+      Arrivals           arrived = arrivals(travellers, n_cells);
+      const auto by_id = [&](const unsigned int a, const unsigned int b) {
+        return travellers[a].luggage.id < travellers[b].luggage.id;
+      };
+      prepare_storage(population, arrived.travellers.size());
+      for (unsigned int c = 0; c < n_cells; ++c)
         {
-          const auto &[walker, particle] = travellers[begin[k]];
-          dealii::Point<dim> reference;
-          for (unsigned int d = 0; d < dim; ++d)
-            reference[d] = walker.reference[d];
-          if (k < n_old)
-            {
-              overwrite(*place, walk.position(walker), reference, particle);
-              ++place;
-            }
-          else
-            handler.insert_particle(
-              walk.position(walker),
-              reference,
-              particle.id,
-              where,
-              dealii::ArrayView<const double>(particle.properties.data(),
-                                              particle.properties.size()));
+          const auto begin = arrived.travellers.begin() + arrived.begin[c];
+          const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
+          std::sort(begin, end, by_id);
+          store_in_cell(population, c, end - begin, [&](const unsigned int k) {
+            return record_of<dim, Field>(walk, travellers[begin[k]]);
+          });
         }
-      for (unsigned int k = n_old; k > n_new; --k)
-        {
-          auto last = handler.particles_in_cell(where).begin();
-          for (unsigned int i = 1; i < k; ++i)
-            ++last;
-          handler.remove_particle(last);
-        }
+      population.handler().update_cached_numbers();
+      return arrived.travellers.size();
     }
   } // namespace
 
 
-
-  template <int dim>
-  std::vector<Traveller<dim, Particle<dim>>>
-  depart(const Population<dim>     &population,
-         const StreamlineWalk<dim> &walk,
-         const double               dt,
-         WalkEffort                &effort)
+  WalkSettings
+  walk_settings(const ConvectionParameters &parameters,
+                const std::map<dealii::types::boundary_id, WallKind> &walls)
   {
-    const auto &handler = population.handler();
-    const auto &graph   = population.mesh().graph();
-
-    std::vector<Traveller<dim, Particle<dim>>> travellers;
-    travellers.reserve(handler.n_locally_owned_particles());
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      for (const auto &particle : handler.particles_in_cell(graph.iterator(c)))
-        {
-          Traveller<dim, Particle<dim>> traveller;
-          traveller.walker =
-            Walker<dim>::start(c, particle.get_reference_location(), dt);
-          traveller.luggage.id  = particle.get_id();
-          const auto properties = particle.get_properties();
-          std::copy(properties.begin(),
-                    properties.end(),
-                    traveller.luggage.properties.begin());
-          walk.walk(traveller.walker, effort);
-          travellers.push_back(traveller);
-        }
-    return travellers;
+    AssertThrow(parameters.substep_courant_number > 0 &&
+                  parameters.substep_courant_number <= 1,
+                dealii::ExcMessage(
+                  "The 'Substep Courant number' of the particles must be "
+                  "greater than 0 and not above 1, for example 0.5."));
+    AssertThrow(parameters.integrator == "rk2" ||
+                  parameters.integrator == "rk4",
+                dealii::ExcMessage("The particles' 'Integrator' must be 'rk2' "
+                                   "or 'rk4', not '" +
+                                   parameters.integrator + "'."));
+    WalkSettings settings;
+    settings.scheme  = parameters.integrator == "rk2" ? StreamlineScheme::rk2
+                                                      : StreamlineScheme::rk4;
+    settings.substep = parameters.substep_courant_number;
+    settings.walls   = walls;
+    return settings;
   }
 
 
-
-  template <int dim>
-  std::size_t
-  arrive(Population<dim>                                  &population,
-         const StreamlineWalk<dim>                        &walk,
-         const std::vector<Traveller<dim, Particle<dim>>> &travellers)
+  template <int dim, typename Field>
+  ConvectionReport
+  move_along(Population<dim>                  &population,
+             const StreamlineWalk<dim, Field> &walk,
+             const double                      dt)
   {
-    const auto &graph   = walk.graph();
-    auto        arrived = arrivals<dim>(travellers, graph.n_owned_cells());
-    const auto  by_id   = [&](const unsigned int a, const unsigned int b) {
-      return travellers[a].luggage.id < travellers[b].luggage.id;
-    };
-    if (are_scattered(population))
-      {
-        population.handler().clear_particles();
-        population.handler().reserve(arrived.travellers.size());
-      }
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      {
-        const auto begin = arrived.travellers.begin() + arrived.begin[c];
-        const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
-        std::sort(begin, end, by_id);
-        store_in_cell<dim>(population, walk, travellers, c, begin, end);
-      }
-    population.handler().update_cached_numbers();
-    return arrived.travellers.size();
+    Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
+    WalkEffort effort;
+    auto       travellers = depart(population, walk, dt, effort);
+    walk_on_other_ranks(walk,
+                        population.mesh().triangulation().get_communicator(),
+                        travellers,
+                        effort);
+    const std::size_t n_stored = arrive(population, walk, travellers);
+
+    ConvectionReport report;
+    report.n_moved         = travellers.size();
+    report.n_substeps      = effort.n_substeps;
+    report.n_cells_crossed = effort.n_cells_crossed;
+    if (n_stored < travellers.size())
+      count_missing<dim>(travellers, report);
+    return report;
   }
 
 
+#define INSTANTIATE(dim, Field)                     \
+  template ConvectionReport move_along<dim, Field>( \
+    Population<dim> &, const StreamlineWalk<dim, Field> &, const double);
 
-  template std::vector<Traveller<2, Particle<2>>>
-  depart<2>(const Population<2> &,
-            const StreamlineWalk<2> &,
-            const double,
-            WalkEffort &);
-  template std::vector<Traveller<3, Particle<3>>>
-  depart<3>(const Population<3> &,
-            const StreamlineWalk<3> &,
-            const double,
-            WalkEffort &);
-  template std::size_t
-  arrive<2>(Population<2> &,
-            const StreamlineWalk<2> &,
-            const std::vector<Traveller<2, Particle<2>>> &);
-  template std::size_t
-  arrive<3>(Population<3> &,
-            const StreamlineWalk<3> &,
-            const std::vector<Traveller<3, Particle<3>>> &);
+  using Path21 = PathField<2, 1>;
+  using Path22 = PathField<2, 2>;
+  using Path31 = PathField<3, 1>;
+  using Path32 = PathField<3, 2>;
+  INSTANTIATE(2, SteadyField<2>)
+  INSTANTIATE(2, Path21)
+  INSTANTIATE(2, Path22)
+  INSTANTIATE(3, SteadyField<3>)
+  INSTANTIATE(3, Path31)
+  INSTANTIATE(3, Path32)
 } // namespace Thalweg

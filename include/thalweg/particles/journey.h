@@ -2,7 +2,9 @@
 #define thalweg_particles_journey_h
 
 #include <thalweg/core/send_plain.h>
-#include <thalweg/particles/streamline_walk.h>
+#include <thalweg/particles/walker.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <map>
 #include <vector>
@@ -10,18 +12,18 @@
 namespace Thalweg
 {
   /// A walker and what it carries.
-  template <int dim, typename Luggage>
+  template <typename WalkerType, typename Luggage>
   struct Traveller
   {
-    Walker<dim> walker;
-    Luggage     luggage;
+    WalkerType walker;
+    Luggage    luggage;
   };
 
   /// A traveller on its way to the rank that owns its cell.
-  template <int dim, typename Luggage>
+  template <typename TravellerType>
   struct TravellerInFlight
   {
-    Traveller<dim, Luggage>          traveller;
+    TravellerType                    traveller;
     dealii::types::global_cell_index cell;
   };
 
@@ -29,7 +31,7 @@ namespace Thalweg
    * @brief Lets the travellers that stand in cells of other ranks walk on
    * there, with the time that is left and as often as it takes. Collective.
    *
-   * @param walk the streamlines
+   * @param walk a StreamlineWalk
    * @param communicator the ranks that share the mesh
    * @param travellers all of them have walked on this rank; on return those
    *   whose way ended on this rank, with their fate: first the ones that
@@ -37,14 +39,14 @@ namespace Thalweg
    *   of the mesh alone
    * @param effort the work that this rank does is added to it
    */
-  template <int dim, typename Luggage>
+  template <typename Walk, typename TravellerType>
   void
-  walk_on_other_ranks(const StreamlineWalk<dim>            &walk,
-                      const MPI_Comm                        communicator,
-                      std::vector<Traveller<dim, Luggage>> &travellers,
-                      WalkEffort                           &effort)
+  walk_on_other_ranks(const Walk                 &walk,
+                      const MPI_Comm              communicator,
+                      std::vector<TravellerType> &travellers,
+                      WalkEffort                 &effort)
   {
-    using Flight  = TravellerInFlight<dim, Luggage>;
+    using Flight  = TravellerInFlight<TravellerType>;
     namespace MPI = dealii::Utilities::MPI;
     if (MPI::n_mpi_processes(communicator) == 1)
       return;
@@ -73,9 +75,9 @@ namespace Thalweg
         for (const auto &[rank, arriving] : send_plain(communicator, departing))
           for (const Flight &flight : arriving)
             {
-              Traveller<dim, Luggage> traveller = flight.traveller;
-              traveller.walker.cell = graph.owned_index(flight.cell);
-              traveller.walker.fate = Fate::under_way;
+              TravellerType traveller = flight.traveller;
+              traveller.walker.cell   = graph.owned_index(flight.cell);
+              traveller.walker.fate   = Fate::under_way;
               walk.walk(traveller.walker, effort);
               travellers.push_back(traveller);
             }

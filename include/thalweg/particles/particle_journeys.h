@@ -1,50 +1,36 @@
 #ifndef thalweg_particles_particle_journeys_h
 #define thalweg_particles_particle_journeys_h
 
-#include <thalweg/particles/journey.h>
 #include <thalweg/particles/population.h>
+#include <thalweg/particles/streamline_convection.h>
 #include <thalweg/particles/streamline_walk.h>
-
-#include <array>
-#include <vector>
 
 namespace Thalweg
 {
-  /// What a particle takes along.
-  template <int dim>
-  struct Particle
-  {
-    dealii::types::particle_index                     id;
-    std::array<double, Population<dim>::n_properties> properties;
-  };
+  /// What @p parameters and @p walls say to a walk.
+  /// @throws dealii::ExcMessage for parameters that make no sense
+  WalkSettings
+  walk_settings(const ConvectionParameters &parameters,
+                const std::map<dealii::types::boundary_id, WallKind> &walls);
 
   /**
-   * @brief Copies all particles out of the population, and lets each walk as
-   * far as this rank reaches.
-   * @param population stays as it is
-   * @param walk through the velocity field
+   * @brief Lets all particles of the population walk for the time @p dt, on
+   * other ranks too, and adds to their velocity what the walk says. Collective.
+   *
+   * Afterwards the particles of each cell are ordered by id, whatever happened
+   * before. So a resumed run, whose particles come from a file, continues bit
+   * by bit like the straight one.
+   *
+   * @param population its particles are those of locally owned cells
+   * @param walk through the fields
    * @param dt s
-   * @param effort is added to
+   * @return what became of them, on this rank
    */
-  template <int dim>
-  std::vector<Traveller<dim, Particle<dim>>>
-  depart(const Population<dim>     &population,
-         const StreamlineWalk<dim> &walk,
-         const double               dt,
-         WalkEffort                &effort);
-
-  /**
-   * @brief Makes those of the travellers that have arrived the population:
-   * those of each cell by id, whatever happened before. So a resumed run,
-   * whose particles come from a file, continues bit by bit like the straight
-   * one.
-   * @return how many have arrived
-   */
-  template <int dim>
-  std::size_t
-  arrive(Population<dim>                                  &population,
-         const StreamlineWalk<dim>                        &walk,
-         const std::vector<Traveller<dim, Particle<dim>>> &travellers);
+  template <int dim, typename Field>
+  ConvectionReport
+  move_along(Population<dim>                  &population,
+             const StreamlineWalk<dim, Field> &walk,
+             const double                      dt);
 } // namespace Thalweg
 
 #endif

@@ -142,9 +142,8 @@ namespace Thalweg
                   const PathFields<dim>                 &fields,
                   const double                           dt) const;
 
-    const Mesh<dim>                                     &mesh_;
-    const ConvectionParameters                           parameters;
-    const std::map<dealii::types::boundary_id, WallKind> walls;
+    const Mesh<dim>   &mesh_;
+    const WalkSettings settings;
   };
 } // namespace Thalweg
 

@@ -1,9 +1,9 @@
 #ifndef thalweg_particles_population_snapshot_h
 #define thalweg_particles_population_snapshot_h
 
+#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/population.h>
 
-#include <array>
 #include <vector>
 
 namespace Thalweg
@@ -36,15 +36,7 @@ namespace Thalweg
     restore(Population<dim> &population) const;
 
   private:
-    struct Particle
-    {
-      dealii::types::particle_index                     id;
-      dealii::Point<dim>                                position;
-      dealii::Point<dim>                                reference;
-      std::array<double, Population<dim>::n_properties> properties;
-    };
-
-    std::vector<Particle> particles;
+    std::vector<ParticleRecord<dim>> particles;
     /// The number of the first particle of each owned cell, and of all.
     std::vector<unsigned int> begin_of_cell;
   };

@@ -2,8 +2,9 @@
 #define thalweg_particles_streamline_convection_h
 
 #include <thalweg/core/section.h>
+#include <thalweg/mesh/cell_field.h>
 #include <thalweg/particles/population.h>
-#include <thalweg/particles/streamline_walk.h>
+#include <thalweg/particles/walker.h>
 
 #include <array>
 #include <map>
@@ -126,8 +127,8 @@ namespace Thalweg
     }
 
   private:
-    const Mesh<dim>                       &mesh_;
-    typename StreamlineWalk<dim>::Settings settings;
+    const Mesh<dim>   &mesh_;
+    const WalkSettings settings;
   };
 } // namespace Thalweg
 

@@ -1,0 +1,382 @@
+// The definitions of StreamlineWalk's functions, for the files that
+// instantiate it.
+#ifndef thalweg_particles_streamline_walk_templates_h
+#define thalweg_particles_streamline_walk_templates_h
+
+#include <thalweg/particles/streamline_walk.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace Thalweg
+{
+  namespace WalkDetails
+  {
+    /// A coordinate that is outside [0,1] by less counts as inside: far above
+    /// the round-off between neighbours, far below everything else.
+    constexpr double snap = 1e-10;
+
+    /// No piece of way of half a cell crosses as many faces, and no sensible
+    /// time step needs as many substeps.
+    constexpr unsigned int max_faces_a_piece  = 64;
+    constexpr unsigned int max_substeps_a_way = 100000;
+
+    template <int dim>
+    inline bool
+    is_inside(const std::array<double, dim> &x)
+    {
+      bool inside = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        inside &= (x[d] >= 0.) & (x[d] <= 1.);
+      return inside;
+    }
+
+    template <int dim>
+    inline std::array<double, dim>
+    along(const std::array<double, dim> &begin,
+          const double                   factor,
+          const std::array<double, dim> &rate)
+    {
+      std::array<double, dim> point;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = begin[d] + factor * rate[d];
+      return point;
+    }
+
+    /// A step of the classical Runge-Kutta scheme with its four rates.
+    template <int dim>
+    inline std::array<double, dim>
+    classical(const std::array<double, dim> &begin,
+              const double                   time,
+              const std::array<double, dim> &k1,
+              const std::array<double, dim> &k2,
+              const std::array<double, dim> &k3,
+              const std::array<double, dim> &k4)
+    {
+      std::array<double, dim> end;
+      for (unsigned int d = 0; d < dim; ++d)
+        end[d] = begin[d] + time / 6. * (k1[d] + 2. * (k2[d] + k3[d]) + k4[d]);
+      return end;
+    }
+  } // namespace WalkDetails
+
+
+  template <int dim, typename Field>
+  StreamlineWalk<dim, Field>::StreamlineWalk(const CellGraph<dim> &graph,
+                                             Field                 field,
+                                             const WalkSettings   &settings)
+    : cell_graph(graph)
+    , maps(graph)
+    , field_(std::move(field))
+    , scheme(settings.scheme)
+  {
+    for (const auto &[boundary, kind] : settings.walls)
+      if (kind == WallKind::open)
+        {
+          open.resize(std::max<std::size_t>(open.size(), boundary + 1), false);
+          open[boundary] = true;
+        }
+  }
+
+
+  template <int dim, typename Field>
+  template <bool axis_parallel>
+  inline typename StreamlineWalk<dim, Field>::Coordinates
+  StreamlineWalk<dim, Field>::rate(const unsigned int cell,
+                                   const Coordinates &reference,
+                                   const double       time_left) const
+  {
+    const Coordinates velocity = field_.velocity(cell, reference, time_left);
+    if constexpr (axis_parallel)
+      return velocity;
+    else
+      return CellPolynomial::solve<dim>(maps.jacobian(cell, reference),
+                                        velocity);
+  }
+
+
+  template <int dim, typename Field>
+  template <StreamlineScheme scheme, bool axis_parallel>
+  inline typename StreamlineWalk<dim, Field>::Coordinates
+  StreamlineWalk<dim, Field>::substep(const unsigned int cell,
+                                      const Coordinates &begin,
+                                      const double       time_left,
+                                      const double       time,
+                                      Coordinates       &gain) const
+  {
+    using WalkDetails::along;
+    const double      half        = 0.5 * time;
+    const double      left_middle = time_left - half;
+    const Coordinates k1          = rate<axis_parallel>(cell, begin, time_left);
+    const Coordinates p2          = along<dim>(begin, half, k1);
+    const Coordinates k2          = rate<axis_parallel>(cell, p2, left_middle);
+    if constexpr (scheme == StreamlineScheme::rk2)
+      {
+        if constexpr (Field::accelerates)
+          gain =
+            along<dim>({}, time, field_.acceleration(cell, p2, left_middle));
+        return along<dim>(begin, time, k2);
+      }
+    else
+      {
+        const double      left_end = time_left - time;
+        const Coordinates p3       = along<dim>(begin, half, k2);
+        const Coordinates k3       = rate<axis_parallel>(cell, p3, left_middle);
+        const Coordinates p4       = along<dim>(begin, time, k3);
+        const Coordinates k4       = rate<axis_parallel>(cell, p4, left_end);
+        if constexpr (Field::accelerates)
+          gain = WalkDetails::classical<dim>(
+            {},
+            time,
+            field_.acceleration(cell, begin, time_left),
+            field_.acceleration(cell, p2, left_middle),
+            field_.acceleration(cell, p3, left_middle),
+            field_.acceleration(cell, p4, left_end));
+        return WalkDetails::classical<dim>(begin, time, k1, k2, k3, k4);
+      }
+  }
+
+
+  template <int dim, typename Field>
+  template <StreamlineScheme scheme>
+  typename StreamlineWalk<dim, Field>::Coordinates
+  StreamlineWalk<dim, Field>::careful_substep(const unsigned int cell,
+                                              const Coordinates &begin,
+                                              const double       time_left,
+                                              double            &time,
+                                              Coordinates       &gain) const
+  {
+    // Outside a strongly distorted cell its map may be folded: shorter
+    // substeps keep the stages nearer.
+    Coordinates end =
+      substep<scheme, false>(cell, begin, time_left, time, gain);
+    for (unsigned int i = 0; i < 6 && !CellPolynomial::is_finite<dim>(end); ++i)
+      {
+        time *= 0.5;
+        end = substep<scheme, false>(cell, begin, time_left, time, gain);
+      }
+    return end;
+  }
+
+
+  template <int dim, typename Field>
+  template <StreamlineScheme scheme>
+  void
+  StreamlineWalk<dim, Field>::walk_with(WalkerType &walker,
+                                        WalkEffort &effort) const
+  {
+    using WalkDetails::is_inside;
+    if (!is_inside<dim>(walker.reference))
+      cross(walker, effort);
+
+    unsigned int n_substeps = 0;
+    while (walker.time > 0 && walker.fate == Fate::under_way)
+      {
+        const unsigned int cell = walker.cell;
+        const double       left = walker.time;
+        double             time = std::min(left, field_.longest_substep(cell));
+        Coordinates        end, gain;
+        if (cell_graph.cell(cell).axis_parallel)
+          end = substep<scheme, true>(cell, walker.reference, left, time, gain);
+        else
+          end =
+            careful_substep<scheme>(cell, walker.reference, left, time, gain);
+        walker.time -= time;
+        if constexpr (Field::accelerates)
+          for (unsigned int d = 0; d < dim; ++d)
+            walker.integral[d] += gain[d];
+
+        if (is_inside<dim>(end))
+          walker.reference = end;
+        else
+          {
+            walker.piece_begin = walker.reference;
+            walker.piece_time  = time;
+            if constexpr (Field::accelerates)
+              walker.piece_integral = gain;
+            walker.reference = end;
+            cross(walker, effort);
+          }
+
+        if (++n_substeps == WalkDetails::max_substeps_a_way)
+          walker.fate = Fate::lost;
+      }
+    effort.n_substeps += n_substeps;
+    if (walker.fate == Fate::under_way)
+      walker.fate = Fate::arrived;
+    if constexpr (Field::accelerates)
+      if (!CellPolynomial::is_finite<dim>(walker.integral))
+        walker.fate = Fate::lost;
+  }
+
+
+  template <int dim, typename Field>
+  void
+  StreamlineWalk<dim, Field>::walk(WalkerType &walker, WalkEffort &effort) const
+  {
+    Assert(walker.cell < cell_graph.n_owned_cells(),
+           dealii::ExcMessage("A walker can only start in an owned cell."));
+    if (scheme == StreamlineScheme::rk2)
+      walk_with<StreamlineScheme::rk2>(walker, effort);
+    else
+      walk_with<StreamlineScheme::rk4>(walker, effort);
+  }
+
+
+  template <int dim, typename Field>
+  typename StreamlineWalk<dim, Field>::Exit
+  StreamlineWalk<dim, Field>::find_exit(const Coordinates &begin,
+                                        Coordinates       &end)
+  {
+    Exit exit{Exit::none, 2.};
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        if (end[d] >= 0. && end[d] <= 1.)
+          continue;
+        const double bound = end[d] > 1. ? 1. : 0.;
+        if (std::abs(end[d] - bound) <= WalkDetails::snap)
+          {
+            end[d] = bound;
+            continue;
+          }
+        double fraction = (bound - begin[d]) / (end[d] - begin[d]);
+        // the piece may begin outside, by round-off or on the other side
+        fraction = fraction > 0. ? std::min(fraction, 1.) : 0.;
+        if (fraction < exit.fraction)
+          exit = {2 * d + (end[d] > 1. ? 1 : 0), fraction};
+      }
+    return exit;
+  }
+
+
+  template <int dim, typename Field>
+  void
+  StreamlineWalk<dim, Field>::cross(WalkerType &walker,
+                                    WalkEffort &effort) const
+  {
+    for (unsigned int i = 0; i < WalkDetails::max_faces_a_piece; ++i)
+      {
+        if (!CellPolynomial::is_finite<dim>(walker.reference))
+          break;
+        const Exit exit = find_exit(walker.piece_begin, walker.reference);
+        if (exit.face == Exit::none)
+          return;
+
+        using Graph      = CellGraph<dim>;
+        const auto &face = cell_graph.cell(walker.cell).faces[exit.face];
+        if (face.behind != Graph::Behind::boundary)
+          {
+            ++effort.n_cells_crossed;
+            if (!enter(face, exit.fraction, walker))
+              break;
+            if (walker.cell >= cell_graph.n_owned_cells())
+              {
+                walker.fate = Fate::elsewhere;
+                return;
+              }
+          }
+        else if (is_open(face.boundary_id))
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              walker.reference[d] =
+                walker.piece_begin[d] +
+                exit.fraction * (walker.reference[d] - walker.piece_begin[d]);
+            shorten_piece(walker, 1. - exit.fraction);
+            undo_piece(walker);
+            walker.boundary = face.boundary_id;
+            walker.fate     = Fate::left;
+            return;
+          }
+        else
+          walker.reference[exit.face / 2] = exit.face % 2;
+      }
+    walker.fate = Fate::lost;
+  }
+
+
+  template <int dim, typename Field>
+  bool
+  StreamlineWalk<dim, Field>::enter(const typename CellGraph<dim>::Face &face,
+                                    const double fraction,
+                                    WalkerType  &walker) const
+  {
+    Coordinates crossing;
+    for (unsigned int d = 0; d < dim; ++d)
+      crossing[d] = walker.piece_begin[d] +
+                    fraction * (walker.reference[d] - walker.piece_begin[d]);
+    crossing        = maps.to_space(walker.cell, crossing);
+    Coordinates end = maps.to_space(walker.cell, walker.reference);
+    if (face.periodic >= 0)
+      {
+        const auto &offset = cell_graph.periodic_offsets()[face.periodic];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            crossing[d] += offset[d];
+            end[d] += offset[d];
+          }
+      }
+
+    if (face.behind == CellGraph<dim>::Behind::cell)
+      walker.cell = face.index;
+    else
+      walker.cell =
+        maps.nearest_child(cell_graph.face_children(face.index), crossing);
+
+    if (!maps.to_reference(walker.cell, crossing, walker.piece_begin))
+      return false;
+    shorten_piece(walker, 1. - fraction);
+    if (!maps.to_reference(walker.cell, end, walker.reference))
+      {
+        // The end is too far outside the new cell to be expressed in its
+        // coordinates: go on from the face with the time that this leaves.
+        for (unsigned int d = 0; d < dim; ++d)
+          walker.reference[d] = std::clamp(walker.piece_begin[d], 0., 1.);
+        undo_piece(walker);
+      }
+    return true;
+  }
+
+
+  template <int dim, typename Field>
+  inline void
+  StreamlineWalk<dim, Field>::shorten_piece(WalkerType  &walker,
+                                            const double factor)
+  {
+    walker.piece_time *= factor;
+    if constexpr (Field::accelerates)
+      for (unsigned int d = 0; d < dim; ++d)
+        walker.piece_integral[d] *= factor;
+  }
+
+
+  template <int dim, typename Field>
+  inline void
+  StreamlineWalk<dim, Field>::undo_piece(WalkerType &walker)
+  {
+    walker.time += walker.piece_time;
+    walker.piece_time = 0;
+    if constexpr (Field::accelerates)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          walker.integral[d] -= walker.piece_integral[d];
+        walker.piece_integral.fill(0);
+      }
+  }
+
+
+  template <int dim, typename Field>
+  dealii::Point<dim>
+  StreamlineWalk<dim, Field>::position(const Walker<dim> &walker) const
+  {
+    const Coordinates coordinates =
+      maps.to_space(walker.cell, walker.reference);
+    dealii::Point<dim> position;
+    for (unsigned int d = 0; d < dim; ++d)
+      position[d] = coordinates[d];
+    return position;
+  }
+} // namespace Thalweg
+
+
+#endif

@@ -41,13 +41,28 @@ class Report:
         if not value <= largest:
             self.faults.append(f"{what} is {value:.4g}, above {largest:.4g}")
 
-    def plot(self, name, curves, x_label, y_label):
-        """Draws curves (label, x, y, style), if matplotlib is installed."""
+    def at_least(self, what, value, smallest):
+        """Remembers a fault if a value is below a limit, or not a number."""
+        if not value >= smallest:
+            self.faults.append(f"{what} is {value:.4g}, below {smallest:.4g}")
+
+    def within(self, what, value, lower, upper):
+        """Remembers a fault if a value lies outside of an interval."""
+        if not lower <= value <= upper:
+            self.faults.append(f"{what} is {value:.4g}, not within "
+                               f"{lower:.4g} and {upper:.4g}")
+
+    def plot(self, name, curves, x_label, y_label, scale="linear"):
+        """Draws curves (label, x, y, style), if matplotlib is installed;
+        SCALE is that of both axes, or 'x scale, y scale'."""
         if pyplot is None:
             return
         figure, axes = pyplot.subplots(figsize=(6, 4))
         for label, x, y, style in curves:
             axes.plot(x, y, style, label=label)
+        scales = scale.split(", ")
+        axes.set_xscale(scales[0])
+        axes.set_yscale(scales[-1])
         axes.set_xlabel(x_label)
         axes.set_ylabel(y_label)
         axes.legend()

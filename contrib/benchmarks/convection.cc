@@ -6,8 +6,13 @@
  * with all processes at once, and by the processor's time, which other programs
  * on the machine disturb little.
  *
+ * The fields are those of StreamlineConvection ("steady") and those of
+ * PathConvection with degree 1 or 2 ("path 1", "path 2"), which change during
+ * the step and have an acceleration.
+ *
  * Usage: `contrib/benchmarks/convection [cells a direction in 2D] [in 3D]`
  */
+#include <thalweg/particles/path_convection.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/particles/streamline_convection.h>
 
@@ -24,29 +29,61 @@
 
 namespace
 {
+  /// By the degree of the fields, 0 for the steady one.
+  constexpr const char *field_names[] = {"steady", "path 1", "path 2"};
+
   /// A divergence-free cellular flow, tangential to the walls of the box.
   template <int dim>
-  Thalweg::CellVelocity<dim>
-  cellular_flow(const Thalweg::Mesh<dim> &mesh)
+  void
+  cellular_flow(const dealii::Point<dim> &p, double *u)
   {
-    constexpr double           pi = dealii::numbers::PI;
+    constexpr double pi = dealii::numbers::PI;
+    for (unsigned int d = 0; d < dim; ++d)
+      u[d] = 0;
+    u[0] += std::sin(pi * p[0]) * std::cos(pi * p[1]);
+    u[1] -= std::cos(pi * p[0]) * std::sin(pi * p[1]);
+    if (dim == 3)
+      {
+        u[1] += std::sin(pi * p[1]) * std::cos(pi * p[dim - 1]);
+        u[dim - 1] -= std::cos(pi * p[1]) * std::sin(pi * p[dim - 1]);
+      }
+  }
+
+  template <int dim>
+  Thalweg::CellVelocity<dim>
+  steady_flow(const Thalweg::Mesh<dim> &mesh)
+  {
     Thalweg::CellVelocity<dim> velocity(mesh.graph().n_cells());
     for (unsigned int i = 0; i < velocity.size(); ++i)
       for (unsigned int v = 0; v < (1 << dim); ++v)
-        {
-          const auto &p = mesh.graph().cell(i).vertices[v];
-          double     *u = velocity[i].data() + dim * v;
-          for (unsigned int d = 0; d < dim; ++d)
-            u[d] = 0;
-          u[0] += std::sin(pi * p[0]) * std::cos(pi * p[1]);
-          u[1] -= std::cos(pi * p[0]) * std::sin(pi * p[1]);
-          if (dim == 3)
-            {
-              u[1] += std::sin(pi * p[1]) * std::cos(pi * p[dim - 1]);
-              u[dim - 1] -= std::cos(pi * p[1]) * std::sin(pi * p[dim - 1]);
-            }
-        }
+        cellular_flow<dim>(mesh.graph().cell(i).vertices[v],
+                           velocity[i].data() + dim * v);
     return velocity;
+  }
+
+  /// The same flow, for acceleration too; only for axis-parallel cells.
+  template <int dim>
+  Thalweg::PathFields<dim>
+  path_flow(const Thalweg::Mesh<dim> &mesh, const unsigned int degree)
+  {
+    Thalweg::PathFields<dim> fields;
+    fields.degree = degree;
+    fields.resize(mesh.graph().n_cells());
+    double *u = fields.begin_velocity.data();
+    for (unsigned int i = 0; i < mesh.graph().n_cells(); ++i)
+      for (unsigned int j = 0; j < fields.n_nodes_per_cell(); ++j, u += dim)
+        {
+          dealii::Point<dim> p     = mesh.graph().cell(i).vertices[0];
+          unsigned int       index = j;
+          for (unsigned int d = 0; d < dim; ++d, index /= degree + 1)
+            p[d] +=
+              mesh.graph().cell(i).extent[d] * (index % (degree + 1)) / degree;
+          cellular_flow<dim>(p, u);
+        }
+    fields.end_velocity       = fields.begin_velocity;
+    fields.begin_acceleration = fields.begin_velocity;
+    fields.end_acceleration   = fields.begin_velocity;
+    return fields;
   }
 
   template <int dim>
@@ -64,6 +101,7 @@ namespace
   template <int dim>
   void
   run(const unsigned int n_cells,
+      const unsigned int degree,
       const bool         is_adapted,
       const std::string &integrator,
       const double       courant)
@@ -82,7 +120,13 @@ namespace
     Thalweg::ConvectionParameters parameters;
     parameters.integrator = integrator;
     const Thalweg::StreamlineConvection<dim> convection(mesh, parameters, {});
-    const auto velocity = cellular_flow<dim>(mesh);
+    const Thalweg::PathConvection<dim>       paths(mesh, parameters, {});
+    Thalweg::CellVelocity<dim>               velocity;
+    Thalweg::PathFields<dim>                 fields;
+    if (degree == 0)
+      velocity = steady_flow<dim>(mesh);
+    else
+      fields = path_flow<dim>(mesh, degree);
 
     const unsigned int n_steps    = courant < 5 ? 10 : 4;
     const double       dt         = courant / n_cells;
@@ -93,7 +137,9 @@ namespace
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         const auto report =
-          convection.move(population, velocity, dt).sum(MPI_COMM_WORLD);
+          (degree == 0 ? convection.move(population, velocity, dt)
+                       : paths.move(population, fields, dt))
+            .sum(MPI_COMM_WORLD);
         n_substeps += report.n_substeps;
         n_crossed += report.n_cells_crossed;
         n_moved += report.n_moved;
@@ -107,17 +153,19 @@ namespace
     const double wall_seconds =
       dealii::Utilities::MPI::sum(wall.count(), MPI_COMM_WORLD);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::printf("%dD  %-8s %-4s %8.1f %10.0f %9.2f %9.2f %8.2f %8.2f %8.1f\n",
-                  dim,
-                  is_adapted ? "adapted" : "uniform",
-                  integrator.c_str(),
-                  courant,
-                  static_cast<double>(n_moved) / n_steps,
-                  static_cast<double>(n_substeps) / n_moved,
-                  static_cast<double>(n_crossed) / n_moved,
-                  1e-6 * n_substeps / wall_seconds,
-                  1e-6 * n_substeps / processor_seconds,
-                  1e9 * wall_seconds / n_moved);
+      std::printf(
+        "%dD  %-7s %-8s %-4s %8.1f %10.0f %9.2f %9.2f %8.2f %8.2f %8.1f\n",
+        dim,
+        field_names[degree],
+        is_adapted ? "adapted" : "uniform",
+        integrator.c_str(),
+        courant,
+        static_cast<double>(n_moved) / n_steps,
+        static_cast<double>(n_substeps) / n_moved,
+        static_cast<double>(n_crossed) / n_moved,
+        1e-6 * n_substeps / wall_seconds,
+        1e-6 * n_substeps / processor_seconds,
+        1e9 * wall_seconds / n_moved);
   }
 } // namespace
 
@@ -129,16 +177,16 @@ main(int argc, char **argv)
   const unsigned int n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
   const unsigned int n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::printf("                                              per particle  "
-                "1e6 substeps/s  ns of wall\n"
-                "    mesh     rk    Courant  particles  substeps   crossed"
-                "     wall      CPU  a particle\n");
+    std::printf("                                                       per "
+                "particle  1e6 substeps/s  ns of wall\n"
+                "    field   mesh     rk    Courant  particles  substeps   "
+                "crossed     wall      CPU  a particle\n");
   for (const double courant : {0.5, 2., 10.})
     for (const std::string integrator : {"rk2", "rk4"})
       for (const bool is_adapted : {false, true})
-        run<2>(n_2d, is_adapted, integrator, courant);
-  for (const double courant : {0.5, 2., 10.})
-    for (const std::string integrator : {"rk2", "rk4"})
-      for (const bool is_adapted : {false, true})
-        run<3>(n_3d, is_adapted, integrator, courant);
+        for (const unsigned int degree : {0, 1, 2})
+          {
+            run<2>(n_2d, degree, is_adapted, integrator, courant);
+            run<3>(n_3d, degree, is_adapted, integrator, courant);
+          }
 }

@@ -1,8 +1,10 @@
 #include <thalweg/fields/gather.h>
 #include <thalweg/postprocess/cell_access.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -29,40 +31,109 @@ namespace Thalweg
 
   namespace
   {
-    /// Finds reference coordinates; returns whether @p point is in the cell.
+    /// How far outside of a cell a point may be that is said to be in it, in
+    /// reference coordinates.
+    constexpr double round_off = 1e-9;
+
+
+    /// Finds reference coordinates; returns by how much they are outside of
+    /// the reference cell, at most 1.
     template <int dim>
-    bool
-    find_in_cell(const Mesh<dim>          &mesh,
-                 const unsigned int        c,
-                 const dealii::Point<dim> &point,
-                 dealii::Point<dim>       &xi)
+    double
+    find_in_cell(const Mesh<dim>            &mesh,
+                 const dealii::Mapping<dim> &mapping,
+                 const unsigned int          c,
+                 const dealii::Point<dim>   &point,
+                 dealii::Point<dim>         &xi)
     {
-      const double tolerance = 1e-9;
-      const auto  &cell      = mesh.graph().cell(c);
-      if (cell.axis_parallel)
+      const auto &cell = mesh.graph().cell(c);
+      if (cell.axis_parallel && &mapping == &mesh.mapping())
         {
           for (unsigned int d = 0; d < dim; ++d)
             xi[d] = (point[d] - cell.vertices[0][d]) * cell.inverse_extent[d];
         }
       else
         {
-          const auto &iterator = mesh.graph().iterator(c);
-          if (!iterator->bounding_box().point_inside(point, 1e-6))
-            return false;
           try
             {
-              xi = mesh.mapping().transform_real_to_unit_cell(iterator, point);
+              xi = mapping.transform_real_to_unit_cell(mesh.graph().iterator(c),
+                                                       point);
             }
           catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &)
             {
               // Newton's method may diverge only for points outside.
-              return false;
+              return 1.;
             }
         }
+      double outside = 0.;
       for (unsigned int d = 0; d < dim; ++d)
-        if (!(xi[d] >= -tolerance && xi[d] <= 1. + tolerance))
-          return false;
+        outside = std::max({outside, -xi[d], xi[d] - 1.});
+      return std::isfinite(outside) ? std::min(outside, 1.) : 1.;
+    }
+
+
+    /// Whether @p point may be in a cell or close to it.
+    template <int dim>
+    bool
+    is_near(const typename CellGraph<dim>::Cell &cell,
+            const dealii::Point<dim>            &point,
+            const double                         relative_margin)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double lower = cell.vertices[0][d], upper = lower, size = 0.;
+          for (const auto &vertex : cell.vertices)
+            {
+              lower = std::min(lower, vertex[d]);
+              upper = std::max(upper, vertex[d]);
+              size  = std::max(size, vertex.distance(cell.vertices[0]));
+            }
+          const double margin = relative_margin * size;
+          if (point[d] < lower - margin || point[d] > upper + margin)
+            return false;
+        }
       return true;
+    }
+
+
+    /// The owned cell with the least number that @p point is in, or else the
+    /// one that is nearest to it. @return how far outside it is
+    template <int dim>
+    double
+    nearest_cell(const Mesh<dim>            &mesh,
+                 const dealii::Mapping<dim> &mapping,
+                 const dealii::Point<dim>   &point,
+                 LocatedPoint<dim>          &located)
+    {
+      // A curved cell may bulge out of the box around its vertices.
+      const double margin  = &mapping == &mesh.mapping() ? .06 : .3;
+      double       nearest = 1.;
+      for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+        if (is_near<dim>(mesh.graph().cell(c), point, margin))
+          {
+            dealii::Point<dim> xi;
+            const double outside = find_in_cell(mesh, mapping, c, point, xi);
+            if (outside < nearest)
+              {
+                nearest      = outside;
+                located.cell = c;
+                located.xi   = xi;
+              }
+            if (outside <= round_off)
+              return 0.;
+          }
+      return nearest;
+    }
+
+
+    template <int dim>
+    void
+    throw_outside(const std::string &what, const dealii::Point<dim> &point)
+    {
+      std::ostringstream message;
+      message << what << " (" << point
+              << ") lies outside the mesh; move it inside.";
+      AssertThrow(false, dealii::ExcMessage(message.str()));
     }
   } // namespace
 
@@ -73,40 +144,54 @@ namespace Thalweg
          const std::vector<dealii::Point<dim>> &points,
          const std::string                     &what)
   {
-    using Index                           = dealii::types::global_cell_index;
-    const Index                    nobody = std::numeric_limits<Index>::max();
-    const CellGraph<dim>          &graph  = mesh.graph();
-    std::vector<LocatedPoint<dim>> located(points.size());
-    std::vector<Index>             candidates(points.size(), nobody);
-    for (std::size_t p = 0; p < points.size(); ++p)
-      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-        if (find_in_cell(mesh, c, points[p], located[p].xi))
-          {
-            located[p].cell = c;
-            candidates[p]   = graph.cell(c).global_index;
-            break;
-          }
+    return locate(mesh, mesh.mapping(), points, what, round_off);
+  }
 
+
+  template <int dim>
+  std::vector<LocatedPoint<dim>>
+  locate(const Mesh<dim>                       &mesh,
+         const dealii::Mapping<dim>            &mapping,
+         const std::vector<dealii::Point<dim>> &points,
+         const std::string                     &what,
+         const double                           tolerance)
+  {
+    using Index                 = dealii::types::global_cell_index;
+    const Index    nobody       = std::numeric_limits<Index>::max();
+    const MPI_Comm communicator = mesh.triangulation().get_communicator();
+    std::vector<LocatedPoint<dim>> located(points.size());
+    std::vector<double>            outside(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+      outside[p] = nearest_cell(mesh, mapping, points[p], located[p]);
+
+    std::vector<double> least_outside(points.size());
+    dealii::Utilities::MPI::min(outside, communicator, least_outside);
+    std::vector<Index> candidates(points.size(), nobody);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (outside[p] == least_outside[p] && outside[p] <= tolerance)
+        candidates[p] = mesh.graph().cell(located[p].cell).global_index;
     std::vector<Index> winners(points.size());
-    dealii::Utilities::MPI::min(candidates,
-                                mesh.triangulation().get_communicator(),
-                                winners);
+    dealii::Utilities::MPI::min(candidates, communicator, winners);
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         if (winners[p] == nobody)
-          {
-            std::ostringstream message;
-            message << what << " (" << points[p]
-                    << ") lies outside the mesh; move it inside.";
-            AssertThrow(false, dealii::ExcMessage(message.str()));
-          }
+          throw_outside(what, points[p]);
         located[p].is_here = winners[p] == candidates[p];
+        if (least_outside[p] > 0.)
+          located[p].xi =
+            dealii::GeometryInfo<dim>::project_to_unit_cell(located[p].xi);
       }
     return located;
   }
 
 
 #define THALWEG_INSTANTIATE_ACCESS(dim)                   \
+  template std::vector<LocatedPoint<dim>> locate(         \
+    const Mesh<dim> &,                                    \
+    const dealii::Mapping<dim> &,                         \
+    const std::vector<dealii::Point<dim>> &,              \
+    const std::string &,                                  \
+    const double);                                        \
   template std::array<double, (1 << dim)> cell_level_set( \
     const SolutionView<dim> &, const unsigned int);       \
   template std::vector<LocatedPoint<dim>> locate(         \

@@ -33,18 +33,29 @@ namespace Thalweg
   void
   CsvFile::write_row(const Context &context, const std::vector<double> &values)
   {
-    AssertDimension(values.size(), n_columns);
+    write_rows(context, {values});
+  }
+
+
+  void
+  CsvFile::write_rows(const Context                          &context,
+                      const std::vector<std::vector<double>> &rows)
+  {
     if (path.empty())
       return;
     on_root(context.communicator, [&]() {
       file.precision(12);
-      for (std::size_t c = 0; c < values.size(); ++c)
+      for (const std::vector<double> &values : rows)
         {
-          file << (c > 0 ? "," : "");
-          if (std::isfinite(values[c]))
-            file << values[c];
+          AssertDimension(values.size(), n_columns);
+          for (std::size_t c = 0; c < values.size(); ++c)
+            {
+              file << (c > 0 ? "," : "");
+              if (std::isfinite(values[c]))
+                file << values[c];
+            }
+          file << '\n';
         }
-      file << '\n';
       AssertThrow(file.flush(),
                   dealii::ExcMessage("Cannot write to '" + path +
                                      "': is the disk full?"));

@@ -1,3 +1,4 @@
+#include <thalweg/postprocess/flow_access.h>
 #include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/numerics/data_out.h>
@@ -20,15 +21,16 @@ namespace Thalweg
       write(Context &context, const SolutionView<dim> &solution) override
       {
         using namespace dealii::DataComponentInterpretation;
-        const Vector         density = nodal_density(solution);
-        dealii::DataOut<dim> data;
-        data.add_data_vector(solution.space.velocity(),
-                             solution.velocity,
+        const Vector          density = nodal_density(solution);
+        dealii::DataOut<dim>  data;
+        const FlowFields<dim> flow = flow_of(solution);
+        data.add_data_vector(flow.velocity_dofs,
+                             flow.velocity,
                              std::vector<std::string>(dim, "velocity"),
                              std::vector<DataComponentInterpretation>(
                                dim, component_is_part_of_vector));
         const auto &scalar = solution.space.scalar();
-        data.add_data_vector(scalar, solution.pressure, "pressure");
+        data.add_data_vector(flow.pressure_dofs, flow.pressure, "pressure");
         data.add_data_vector(scalar, density, "density");
         if (solution.fluids.size() == 2)
           data.add_data_vector(scalar, solution.level_set, "level_set");
@@ -37,7 +39,9 @@ namespace Thalweg
         dealii::Vector<float> subdomain(mesh.n_active_cells());
         subdomain = mesh.locally_owned_subdomain();
         data.add_data_vector(subdomain, "subdomain");
-        data.build_patches(solution.mesh.mapping());
+        data.build_patches(flow.mapping,
+                           flow.velocity_dofs.get_fe().degree,
+                           dealii::DataOut<dim>::curved_inner_cells);
         this->record.write(context, data, solution.time, solution.step);
       }
 

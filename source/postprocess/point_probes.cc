@@ -1,5 +1,6 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/postprocess/cell_access.h>
+#include <thalweg/postprocess/flow_access.h>
 #include <thalweg/postprocess/scheduled_output.h>
 
 namespace Thalweg
@@ -23,7 +24,7 @@ namespace Thalweg
                     dealii::ExcMessage("'point probes' has no 'Points'; give "
                                        "some or take it off the list."));
         if (outline.fills_domain)
-          locate(outline.mesh, points, "The point probe");
+          check_points(outline.mesh, points, "The point probe");
       }
 
     private:
@@ -58,35 +59,41 @@ namespace Thalweg
       std::vector<double>
       row(const SolutionView<dim> &solution) override
       {
-        // Located anew each time, since the mesh may have changed.
-        const auto located = locate(solution.mesh, points, "The point probe");
-        std::vector<double> values(points.size() * (dim + 2), 0.);
+        const auto flow = evaluate_at(solution, points, "The point probe");
+        const auto phi  = level_sets(solution);
+        std::vector<double> values;
         for (std::size_t p = 0; p < points.size(); ++p)
-          if (located[p].is_here)
-            evaluate(solution, located[p], &values[p * (dim + 2)]);
-        dealii::Utilities::MPI::sum(
-          values, solution.mesh.triangulation().get_communicator(), values);
+          {
+            values.push_back(flow[p].pressure);
+            for (unsigned int d = 0; d < dim; ++d)
+              values.push_back(flow[p].velocity[d]);
+            values.push_back(phi[p]);
+          }
         return values;
       }
 
 
-      /// Writes pressure, velocity and level set to @p values.
-      static void
-      evaluate(const SolutionView<dim> &solution,
-               const LocatedPoint<dim> &point,
-               double *const            values)
+      /// The level set at the points; negative for a single fluid.
+      std::vector<double>
+      level_sets(const SolutionView<dim> &solution) const
       {
-        const auto  shape = Q1::values<dim>(point.xi);
-        const auto &nodes = solution.space.nodes(point.cell);
-        const auto  phi   = cell_level_set(solution, point.cell);
-        for (unsigned int v = 0; v < shape.size(); ++v)
+        std::vector<double> values(points.size(), -1.);
+        if (solution.fluids.size() == 1)
+          return values;
+        const auto located = locate(solution.mesh, points, "The point probe");
+        for (std::size_t p = 0; p < points.size(); ++p)
           {
-            values[0] += shape[v] * solution.pressure.local_element(nodes[v]);
-            for (unsigned int d = 0; d < dim; ++d)
-              values[1 + d] +=
-                shape[v] * solution.velocity.local_element(dim * nodes[v] + d);
-            values[dim + 1] += shape[v] * phi[v];
+            values[p] = 0.;
+            if (!located[p].is_here)
+              continue;
+            const auto shape = Q1::values<dim>(located[p].xi);
+            const auto phi   = cell_level_set(solution, located[p].cell);
+            for (unsigned int v = 0; v < shape.size(); ++v)
+              values[p] += shape[v] * phi[v];
           }
+        dealii::Utilities::MPI::sum(
+          values, solution.mesh.triangulation().get_communicator(), values);
+        return values;
       }
 
 

@@ -33,6 +33,9 @@ namespace Thalweg
       "velocity time [s]",
       "kinetic energy [J]",
       "potential energy [J]",
+      "momentum x [kg m/s]",
+      "momentum y [kg m/s]",
+      "momentum z [kg m/s]",
       "max velocity 1 [m/s]",
       "max velocity 2 [m/s]"};
 

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -67,14 +66,20 @@ public:
             *this->population,
             velocity,
             pressure,
-            level_set};
+            level_set,
+            0.,
+            0.,
+            0.,
+            0,
+            0.,
+            false,
+            flow};
   }
 
-  /// Lets a postprocessor look once, at @p time, and returns it.
+  /// A postprocessor with @p settings that is ready to look.
   std::unique_ptr<Thalweg::Postprocessor<dim>>
-  run(const std::string              &model,
-      const std::vector<std::string> &settings = {},
-      const double                    time     = 0.)
+  prepare(const std::string              &model,
+          const std::vector<std::string> &settings = {})
   {
     auto tool = Thalweg::Registry<Thalweg::Postprocessor<dim>>::entries()
                   .at(model)
@@ -86,36 +91,62 @@ public:
     for (const std::string &line : settings)
       input += "set " + line + "\n";
     own.parse_input_from_string(input);
+    tool->check({this->mesh, this->fluids});
+    tool->initialize(context, view());
+    return tool;
+  }
+
+  /// Lets a postprocessor look once, at @p time, and returns it.
+  std::unique_ptr<Thalweg::Postprocessor<dim>>
+  run(const std::string              &model,
+      const std::vector<std::string> &settings = {},
+      const double                    time     = 0.)
+  {
+    auto tool          = prepare(model, settings);
     auto solution      = view();
     solution.time      = time;
     solution.last_step = true;
-    tool->check({this->mesh, this->fluids});
-    tool->initialize(context, solution);
     tool->execute(context, solution);
     return tool;
+  }
+
+  /// The values of all rows, behind the header.
+  std::vector<std::vector<double>>
+  read_all(const std::string &name) const
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::istringstream file(content(context.output_directory + "/" + name));
+    // Nobody may write it anew before all have read it.
+    MPI_Barrier(MPI_COMM_WORLD);
+    std::vector<std::vector<double>> rows;
+    std::string                      line;
+    std::getline(file, line);
+    while (std::getline(file, line))
+      {
+        rows.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+          rows.back().push_back(cell.empty() ? std::nan("") : std::stod(cell));
+      }
+    return rows;
   }
 
   /// The file's header, and the values of its last row.
   std::pair<std::string, std::vector<double>>
   read(const std::string &name) const
   {
-    MPI_Barrier(MPI_COMM_WORLD);
-    std::ifstream       file(context.output_directory + "/" + name);
-    std::string         header, line, row;
-    std::vector<double> values;
+    const auto         rows = read_all(name);
+    std::istringstream file(content(context.output_directory + "/" + name));
+    std::string        header;
     std::getline(file, header);
-    while (std::getline(file, line))
-      row = line;
-    // Nobody may write it anew before all have read it.
     MPI_Barrier(MPI_COMM_WORLD);
-    std::istringstream cells(row);
-    for (std::string cell; std::getline(cells, cell, ',');)
-      values.push_back(cell.empty() ? std::nan("") : std::stod(cell));
-    return {header, values};
+    return {header, rows.empty() ? std::vector<double>() : rows.back()};
   }
 
   Thalweg::Context context;
   Thalweg::Vector  velocity, pressure, level_set;
+  /// In spaces of its own, if there is such.
+  const Thalweg::FlowFields<dim> *flow = nullptr;
 };
 
 #endif

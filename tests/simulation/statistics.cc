@@ -29,6 +29,8 @@ TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
                                           "velocity time [s]",
                                           "kinetic energy [J]",
                                           "potential energy [J]",
+                                          "momentum x [kg m/s]",
+                                          "momentum y [kg m/s]",
                                           "max velocity 1 [m/s]",
                                           "max velocity 2 [m/s]"};
   const auto &columns = run.context.statistics.column_names();

@@ -4,6 +4,7 @@
 #include <thalweg/postprocess/solution_view.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/fe/mapping.h>
 
 #include <array>
 #include <string>
@@ -53,6 +54,19 @@ namespace Thalweg
   locate(const Mesh<dim>                       &mesh,
          const std::vector<dealii::Point<dim>> &points,
          const std::string                     &what);
+
+  /**
+   * @brief The same for cells as @p mapping sees them, and for points that
+   * lie outside by up to @p tolerance (in reference coordinates) of the
+   * nearest cell: they are moved to its side.
+   */
+  template <int dim>
+  std::vector<LocatedPoint<dim>>
+  locate(const Mesh<dim>                       &mesh,
+         const dealii::Mapping<dim>            &mapping,
+         const std::vector<dealii::Point<dim>> &points,
+         const std::string                     &what,
+         const double                           tolerance);
 } // namespace Thalweg
 
 #endif

@@ -39,6 +39,11 @@ namespace Thalweg
     void
     write_row(const Context &context, const std::vector<double> &values);
 
+    /// The same for any number of rows; those of the root process count.
+    void
+    write_rows(const Context                          &context,
+               const std::vector<std::vector<double>> &rows);
+
   private:
     std::string   path;
     std::ofstream file;

@@ -11,8 +11,11 @@
 namespace Thalweg
 {
   /**
-   * @brief Kinetic and potential energy and the largest speed in each fluid,
-   * with the names of their columns in the statistics. Collective.
+   * @brief Kinetic and potential energy, momentum and the largest speed in
+   * each fluid, with the names of their columns in the statistics. Collective.
+   *
+   * Integrals of a flow in spaces of its own are exact on straight cells;
+   * else they are lumped at the vertices.
    * @param gravity m/s^2; the potential is zero at the origin
    */
   template <int dim>

@@ -1,0 +1,303 @@
+#include <thalweg/core/send_plain.h>
+#include <thalweg/postprocess/averaging_window.h>
+#include <thalweg/postprocess/csv_file.h>
+#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/postprocess/schedule.h>
+#include <thalweg/postprocess/snapshot_table.h>
+#include <thalweg/postprocess/surface_samples.h>
+
+#include <cmath>
+#include <limits>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// c_p and c_f along boundaries, at times and on average.
+    template <int dim>
+    class SurfaceCoefficients : public Postprocessor<dim>
+    {
+    public:
+      SurfaceCoefficients()
+        : schedule(1e30)
+      {}
+
+      void
+      declare_parameters(const Section &section) override;
+
+      void
+      check(const RunOutline<dim> &outline) const override;
+
+      void
+      initialize(Context &context, const SolutionView<dim> &solution) override;
+
+      void
+      execute(Context &context, const SolutionView<dim> &solution) override;
+
+    private:
+      using Faces = std::vector<FaceSamples<dim>>;
+      using Row   = std::vector<double>;
+
+      /// Adds this step to the means, and copies these to @p faces.
+      void
+      average(Faces &faces, const double weight);
+
+      /// Writes the tables out of the root's @p faces. Collective.
+      void
+      write(const Context &context,
+            const Faces   &faces,
+            const double   time,
+            const double   density);
+
+      /// Appends position, normal and both sets of coefficients.
+      void
+      append(const SurfaceSample<dim>  &sample,
+             const std::vector<double> &shear,
+             const std::vector<double> &mean_shear,
+             const double               density,
+             Row                       &row) const;
+
+      std::vector<std::string> names;
+      double                   velocity = 1., reference_density = 0.;
+      double                   reference_pressure = 0.;
+      AveragingWindow          window;
+      Schedule                 schedule;
+
+      std::map<dealii::types::boundary_id, unsigned int> numbers;
+      SnapshotTable                                      table;
+      CsvFile                                            zero_file;
+
+      double averaged_time = 0.;
+      Faces  means;
+    };
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::declare_parameters(const Section &section)
+    {
+      section.add("Boundaries",
+                  names,
+                  "",
+                  "Names of boundaries, separated by commas.");
+      section.add("Reference velocity",
+                  velocity,
+                  "m/s",
+                  "U in c_p = (p - p_ref) / (1/2 rho U^2) and c_f.",
+                  dealii::Patterns::Double(std::numeric_limits<double>::min()));
+      section.add("Reference density",
+                  reference_density,
+                  "kg/m^3",
+                  "rho in the coefficients; 0: the fluid's.",
+                  dealii::Patterns::Double(0.));
+      section.add("Reference pressure",
+                  reference_pressure,
+                  "Pa",
+                  "p_ref in c_p, usually that of the oncoming flow.");
+      window.declare_parameters(section);
+      schedule.declare_parameters(section, "tables");
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::check(const RunOutline<dim> &outline) const
+    {
+      AssertThrow(!names.empty(),
+                  dealii::ExcMessage("'surface coefficients' has no "
+                                     "'Boundaries'; name some or take it off "
+                                     "the list."));
+      for (const std::string &name : names)
+        outline.mesh.boundary_id(name);
+      AssertThrow(outline.fluids.size() == 1,
+                  dealii::ExcMessage("'surface coefficients' needs a single "
+                                     "fluid; take it off the list of "
+                                     "'Postprocess/Models'."));
+      window.check("surface coefficients");
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::initialize(Context                 &context,
+                                         const SolutionView<dim> &solution)
+    {
+      for (unsigned int n = 0; n < names.size(); ++n)
+        numbers[solution.mesh.boundary_id(names[n])] = n;
+      std::vector<std::string> columns{"time [s]", "boundary"};
+      if (dim == 2)
+        columns.insert(columns.end(), {"chain", "arc length [m]"});
+      for (const std::string what : {"", "normal "})
+        for (unsigned int d = 0; d < dim; ++d)
+          columns.push_back(what + "xyz"[d] + (what.empty() ? " [m]" : ""));
+      for (const std::string mean : {"", "mean "})
+        {
+          columns.insert(columns.end(), {mean + "pressure [Pa]", mean + "c_p"});
+          if (dim == 2)
+            columns.push_back(mean + "wall shear stress [Pa]");
+          else
+            for (const char axis : std::string("xyz"))
+              columns.push_back(mean + "wall shear stress " + axis + " [Pa]");
+          columns.push_back(mean + "c_f");
+        }
+      table.open(context, "surface_coefficients", columns);
+      if (dim == 2)
+        zero_file.open(context,
+                       "surface_coefficients_zero_shear.csv",
+                       {"time [s]",
+                        "boundary",
+                        "chain",
+                        "averaged",
+                        "arc length [m]",
+                        "x [m]",
+                        "y [m]",
+                        "sign behind"});
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::execute(Context                 &context,
+                                      const SolutionView<dim> &solution)
+    {
+      const bool   is_due = schedule.is_due(solution.time, solution.last_step);
+      const double weight = window.overlap(solution.time, solution.time_step);
+      if (!is_due && weight == 0.)
+        return;
+      const FlowFields<dim> flow  = flow_of(solution);
+      Faces                 faces = sample_surface(flow, numbers);
+      average(faces, weight);
+      if (!is_due)
+        return;
+      Faces all;
+      for (const auto &[rank, list] :
+           send_plain<FaceSamples<dim>>(context.communicator, {{0, faces}}))
+        all.insert(all.end(), list.begin(), list.end());
+      write(context, all, solution.time, flow.density);
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::average(Faces &faces, const double weight)
+    {
+      if (averaged_time == 0.)
+        means = faces;
+      AssertThrow(means.size() == faces.size(),
+                  dealii::ExcMessage("'surface coefficients' can only average "
+                                     "on a mesh that stays the same; let "
+                                     "'Average from' be later than the end "
+                                     "of the run."));
+      averaged_time += weight;
+      const double part = averaged_time > 0. ? weight / averaged_time : 0.;
+      const double none =
+        averaged_time > 0. ? 0. : std::numeric_limits<double>::quiet_NaN();
+      for (std::size_t f = 0; f < faces.size(); ++f)
+        for (unsigned int q = 0; q < faces[f].n_samples; ++q)
+          {
+            SurfaceSample<dim> &mean = means[f].samples[q];
+            SurfaceSample<dim> &now  = faces[f].samples[q];
+            mean.mean_pressure += part * (now.pressure - mean.mean_pressure);
+            now.mean_pressure = mean.mean_pressure + none;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                mean.mean_shear[d] +=
+                  part * (now.shear[d] - mean.mean_shear[d]);
+                now.mean_shear[d] = mean.mean_shear[d] + none;
+              }
+          }
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::append(const SurfaceSample<dim>  &sample,
+                                     const std::vector<double> &shear,
+                                     const std::vector<double> &mean_shear,
+                                     const double               density,
+                                     Row                       &row) const
+    {
+      row.insert(row.end(), sample.position.begin(), sample.position.end());
+      row.insert(row.end(), sample.normal.begin(), sample.normal.end());
+      const double dynamic_pressure =
+        .5 * (reference_density > 0. ? reference_density : density) * velocity *
+        velocity;
+      for (const bool mean : {false, true})
+        {
+          const double pressure = mean ? sample.mean_pressure : sample.pressure;
+          const auto  &stress   = mean ? mean_shear : shear;
+          row.insert(row.end(),
+                     {pressure,
+                      (pressure - reference_pressure) / dynamic_pressure});
+          double square = 0.;
+          for (const double component : stress)
+            {
+              row.push_back(component);
+              square += component * component;
+            }
+          row.push_back((dim == 2 ? stress[0] : std::sqrt(square)) /
+                        dynamic_pressure);
+        }
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::write(const Context &context,
+                                    const Faces   &faces,
+                                    const double   time,
+                                    const double   density)
+    {
+      std::vector<Row> rows, zeros;
+      if constexpr (dim == 2)
+        {
+          const auto line = order_along_lines(faces);
+          for (const auto &[place, sample] : line)
+            {
+              rows.push_back({time,
+                              double(place.boundary),
+                              double(place.chain),
+                              place.arc_length});
+              append(sample,
+                     {place.shear},
+                     {place.mean_shear},
+                     density,
+                     rows.back());
+            }
+          for (const bool mean : {false, true})
+            for (const ZeroShear &zero : find_zero_shear(line, mean))
+              zeros.push_back({time,
+                               double(zero.boundary),
+                               double(zero.chain),
+                               mean ? 1. : 0.,
+                               zero.arc_length,
+                               zero.position[0],
+                               zero.position[1],
+                               zero.sign_behind});
+          zero_file.write_rows(context, zeros);
+        }
+      else
+        for (const auto &face : faces)
+          for (unsigned int q = 0; q < face.n_samples; ++q)
+            {
+              const auto &sample = face.samples[q];
+              rows.push_back({time, double(face.boundary)});
+              append(sample,
+                     {sample.shear.begin(), sample.shear.end()},
+                     {sample.mean_shear.begin(), sample.mean_shear.end()},
+                     density,
+                     rows.back());
+            }
+      table.write(context, rows);
+    }
+  } // namespace
+
+  THALWEG_REGISTER(Postprocessor,
+                   SurfaceCoefficients,
+                   "surface coefficients",
+                   "pressure, wall shear stress and their coefficients along "
+                   "boundaries, also averaged over time, in the order along "
+                   "the surface in 2D; writes surface_coefficients.csv and, "
+                   "in 2D, where the wall shear changes its sign, "
+                   "surface_coefficients_zero_shear.csv.")
+} // namespace Thalweg

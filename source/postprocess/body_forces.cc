@@ -12,6 +12,23 @@ namespace Thalweg
 {
   namespace
   {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+
+    template <int dim>
+    Load<dim>
+    unknown_load()
+    {
+      Load<dim> load;
+      for (unsigned int d = 0; d < dim; ++d)
+        load.force[d] = nan;
+      for (unsigned int d = 0; d < Load<dim>::n_moments; ++d)
+        load.moment[d] = nan;
+      return load;
+    }
+
+
+
     /// Drag, lift and moment of a body, and how they vary.
     template <int dim>
     class ForcesOnBody : public Postprocessor<dim>
@@ -40,6 +57,20 @@ namespace Thalweg
       /// What a number is divided by to become a coefficient.
       double
       divisor(const unsigned int number, const double fluid_density) const;
+
+      void
+      declare_directions(const Section &section);
+
+      /// Frequencies in Hz.
+      struct Oscillation
+      {
+        double periods      = 0.;
+        double by_crossings = nan;
+        double by_spectrum  = nan;
+      };
+
+      Oscillation
+      find_oscillation(Context &context) const;
 
       void
       write_summary(Context &context) const;
@@ -102,6 +133,16 @@ namespace Thalweg
                   "kg/m^3",
                   "rho in the coefficients; 0: the fluid's.",
                   dealii::Patterns::Double(0.));
+      declare_directions(section);
+      window.declare_parameters(section);
+      schedule.declare_parameters(section, "rows");
+    }
+
+
+    template <int dim>
+    void
+    ForcesOnBody<dim>::declare_directions(const Section &section)
+    {
       section.add("Moment centre",
                   center,
                   "m",
@@ -116,8 +157,6 @@ namespace Thalweg
                   "",
                   "The direction in which lift is positive, normal to that of "
                   "drag.");
-      window.declare_parameters(section);
-      schedule.declare_parameters(section, "rows");
     }
 
 
@@ -163,7 +202,7 @@ namespace Thalweg
         ids.insert(solution.mesh.boundary_id(name));
       drag_direction /= drag_direction.norm();
       lift_direction /= lift_direction.norm();
-      by_residual = has_reaction(flow_of(solution));
+      by_residual = solution.flow != nullptr;
       series.resize((by_residual ? 2 : 1) * n_numbers);
 
       std::vector<std::string> parts{"direct pressure",
@@ -224,7 +263,8 @@ namespace Thalweg
       total += stress.viscous;
       std::vector<Load<dim>> loads{stress.pressure, stress.viscous, total};
       if (by_residual)
-        loads.push_back(sum_reactions(flow, ids, center));
+        loads.push_back(has_reaction(flow) ? sum_reactions(flow, ids, center)
+                                           : unknown_load<dim>());
 
       // There is no residual before the first step.
       const bool record = solution.step > 0 && window.contains(solution.time);
@@ -251,12 +291,44 @@ namespace Thalweg
 
 
     template <int dim>
+    typename ForcesOnBody<dim>::Oscillation
+    ForcesOnBody<dim>::find_oscillation(Context &context) const
+    {
+      // Those of the more accurate way stand last.
+      const auto &drag = series[series.size() - n_numbers];
+      const auto &lift = series[series.size() - n_numbers + 1];
+      // What solvers leave in a steady flow is no oscillation.
+      const auto summary = TimeSeries::summarize(times, lift);
+      const bool is_steady =
+        !(summary.rms >
+          1e-6 * std::max(std::abs(summary.mean),
+                          std::abs(TimeSeries::summarize(times, drag).mean)));
+      const auto  crossings = is_steady
+                                ? std::vector<double>()
+                                : TimeSeries::upward_crossings(times, lift);
+      Oscillation oscillation;
+      if (!crossings.empty())
+        oscillation.periods = crossings.size() - 1.;
+      if (oscillation.periods >= 2)
+        {
+          oscillation.by_crossings = TimeSeries::crossing_frequency(crossings);
+          oscillation.by_spectrum  = TimeSeries::spectral_peak(times, lift);
+        }
+      else
+        context.log.line("body forces: the lift has fewer than two periods "
+                         "between 'Average from' and 'Average until'; no "
+                         "Strouhal number is written.");
+      return oscillation;
+    }
+
+
+    template <int dim>
     void
     ForcesOnBody<dim>::write_summary(Context &context) const
     {
       std::vector<std::string> columns{"from [s]", "until [s]", "records"};
-      std::vector<double>      row{times.empty() ? NAN : times.front(),
-                              times.empty() ? NAN : times.back(),
+      std::vector<double>      row{times.empty() ? nan : times.front(),
+                              times.empty() ? nan : times.back(),
                               double(times.size())};
       for (unsigned int s = 0; s < series.size(); ++s)
         {
@@ -271,28 +343,15 @@ namespace Thalweg
             {summary.mean, summary.minimum, summary.maximum, summary.rms});
         }
 
-      // The more accurate lift, which stands last.
-      const auto  &lift      = series[series.size() - n_numbers + 1];
-      const auto   crossings = TimeSeries::upward_crossings(times, lift);
-      const double periods =
-        crossings.empty() ? 0. : double(crossings.size() - 1);
-      double by_crossings = NAN, by_spectrum = NAN;
-      if (periods >= 2)
-        {
-          by_crossings =
-            TimeSeries::crossing_frequency(crossings) * length / velocity;
-          by_spectrum =
-            TimeSeries::spectral_peak(times, lift) * length / velocity;
-        }
-      else
-        context.log.line("body forces: the lift has fewer than two periods "
-                         "between 'Average from' and 'Average until'; no "
-                         "Strouhal number is written.");
+      const Oscillation oscillation = find_oscillation(context);
       columns.insert(columns.end(),
                      {"periods",
                       "Strouhal number by zero crossings",
                       "Strouhal number by spectrum"});
-      row.insert(row.end(), {periods, by_crossings, by_spectrum});
+      row.insert(row.end(),
+                 {oscillation.periods,
+                  oscillation.by_crossings * length / velocity,
+                  oscillation.by_spectrum * length / velocity});
       CsvFile summary_file;
       summary_file.open(context, "body_forces_summary.csv", columns);
       summary_file.write_row(context, row);

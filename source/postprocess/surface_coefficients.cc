@@ -13,6 +13,26 @@ namespace Thalweg
 {
   namespace
   {
+    /// The rows of the table of places without wall shear.
+    std::vector<std::vector<double>>
+    zero_rows(const std::vector<LineSample> &line, const double time)
+    {
+      std::vector<std::vector<double>> rows;
+      for (const bool mean : {false, true})
+        for (const ZeroShear &zero : find_zero_shear(line, mean))
+          rows.push_back({time,
+                          double(zero.boundary),
+                          double(zero.chain),
+                          mean ? 1. : 0.,
+                          zero.arc_length,
+                          zero.position[0],
+                          zero.position[1],
+                          zero.sign_behind});
+      return rows;
+    }
+
+
+
     /// c_p and c_f along boundaries, at times and on average.
     template <int dim>
     class SurfaceCoefficients : public Postprocessor<dim>
@@ -248,7 +268,7 @@ namespace Thalweg
                                     const double   time,
                                     const double   density)
     {
-      std::vector<Row> rows, zeros;
+      std::vector<Row> rows;
       if constexpr (dim == 2)
         {
           const auto line = order_along_lines(faces);
@@ -264,17 +284,7 @@ namespace Thalweg
                      density,
                      rows.back());
             }
-          for (const bool mean : {false, true})
-            for (const ZeroShear &zero : find_zero_shear(line, mean))
-              zeros.push_back({time,
-                               double(zero.boundary),
-                               double(zero.chain),
-                               mean ? 1. : 0.,
-                               zero.arc_length,
-                               zero.position[0],
-                               zero.position[1],
-                               zero.sign_behind});
-          zero_file.write_rows(context, zeros);
+          zero_file.write_rows(context, zero_rows(line, time));
         }
       else
         for (const auto &face : faces)

@@ -210,3 +210,50 @@ TEST(BodyForcesMpi, SummaryFindsTheStrouhalNumber)
   EXPECT_TRUE(std::isnan(value(table, "Strouhal number by zero crossings")));
   EXPECT_FALSE(std::isnan(value(table, "direct c_D mean")));
 }
+
+
+TEST(BodyForcesMpi, SteadyFlowsHaveNoStrouhalNumber)
+{
+  State<2>           state(ring);
+  const auto         tool = state.prepare("body forces", {"Boundaries = 0"});
+  const unsigned int n    = 200;
+  for (unsigned int step = 0; step <= n; ++step)
+    {
+      state.set(state.pressure, [&](const auto &p) {
+        return 5. * p[0] + 1e-8 * p[1] * std::sin(.3 * step);
+      });
+      auto solution      = state.view();
+      solution.time      = .02 * step;
+      solution.step      = step;
+      solution.last_step = step == n;
+      tool->execute(state.context, solution);
+    }
+  const auto table = state.read("body_forces_summary.csv");
+  EXPECT_TRUE(std::isnan(value(table, "Strouhal number by spectrum")));
+  EXPECT_NEAR(value(table, "periods"), 0., 0.);
+}
+
+
+TEST(BodyForcesMpi, ResidualColumnsAreThereBeforeThereIsAReaction)
+{
+  State<2>              state(ring);
+  const Thalweg::Vector none;
+  const OwnFlow<2>      flow(
+    state.mesh,
+    1,
+    [](const auto &) { return dealii::Tensor<1, 2>(); },
+    [](const auto &) { return 1.; });
+  const auto                  &f = flow.fields;
+  const Thalweg::FlowFields<2> fields{f.mapping,
+                                      f.velocity_dofs,
+                                      f.pressure_dofs,
+                                      f.velocity,
+                                      f.pressure,
+                                      none,
+                                      1.,
+                                      1.,
+                                      0.};
+  state.flow = &fields;
+  state.run("body forces", {"Boundaries = 0"});
+  EXPECT_TRUE(std::isnan(value(state.read("body_forces.csv"), "residual c_D")));
+}

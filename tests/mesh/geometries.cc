@@ -13,71 +13,11 @@
 #include <sstream>
 #include <unistd.h>
 
+#include "made_geometry.h"
+
 namespace
 {
   using namespace Thalweg;
-
-  /// The geometry @p model with parameters set from "name = value" lines.
-  template <int dim>
-  struct Made
-  {
-    Made(const std::string &model, const std::string &settings)
-      : geometry(Registry<Geometry<dim>>::entries().at(model).make())
-    {
-      const Section root(prm);
-      geometry->declare_parameters(root);
-      std::string        input;
-      std::istringstream lines(settings);
-      for (std::string line; std::getline(lines, line);)
-        input += "set " + line + "\n";
-      prm.parse_input_from_string(input);
-    }
-
-    /// The mesh on one process.
-    void
-    create()
-    {
-      geometry->create(mesh);
-    }
-
-    /// What create() complains about.
-    std::string
-    error()
-    {
-      try
-        {
-          create();
-        }
-      catch (const std::exception &exception)
-        {
-          return Geometries::reason(exception);
-        }
-      return "";
-    }
-
-    double
-    boundary_measure(const std::string &name) const
-    {
-      double     sum = 0;
-      const auto id  = geometry->boundary_names().at(name);
-      for (const auto &face : mesh.active_face_iterators())
-        if (face->at_boundary() && face->boundary_id() == id)
-          sum += face->measure();
-      return sum;
-    }
-
-    dealii::ParameterHandler       prm;
-    std::unique_ptr<Geometry<dim>> geometry;
-    dealii::Triangulation<dim>     mesh;
-  };
-
-
-  bool
-  contains(const std::string &text, const std::string &part)
-  {
-    return text.find(part) != std::string::npos;
-  }
-
 
   /// A file that lives as long as this object.
   struct TemporaryFile

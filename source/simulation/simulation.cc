@@ -18,6 +18,7 @@ namespace Thalweg
       "time [s]",
       "dt [s]",
       "Courant number",
+      "Fourier number",
       "cells",
       "dofs",
       "particles",
@@ -268,6 +269,11 @@ namespace Thalweg
       std::to_string(
         dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
       " processes");
+    const TimeControl::Viscous viscous{fourier_rate(parameters.fluids, mesh),
+                                       parameters.method->fourier_limit()};
+    const std::string          warning = parameters.time.warning(viscous);
+    if (!warning.empty())
+      context.log.warning(warning);
     const auto postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
@@ -284,7 +290,8 @@ namespace Thalweg
     while (!parameters.time.is_over(time, step))
       {
         const double rate = courant_rate(parameters.method->velocity());
-        const double dt   = parameters.time.next_step(time, rate, old_dt);
+        const double dt =
+          parameters.time.next_step(time, rate, old_dt, viscous);
         check_courant_number(rate * dt);
         parameters.method->advance(time, dt);
         time += dt;
@@ -293,6 +300,7 @@ namespace Thalweg
         old_dt = std::max(dt, old_dt / 2.);
         ++step;
         context.statistics.set("Courant number", rate * dt);
+        context.statistics.set("Fourier number", viscous.rate * dt);
         record(dt);
         {
           dealii::TimerOutput::Scope scope(context.timers, "postprocessing");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -21,6 +22,12 @@ namespace Thalweg
                 "",
                 "How many cells the fastest point moves in a step, where no "
                 "time step is given.");
+    section.add("Fourier number",
+                fourier_number,
+                "",
+                "The largest kinematic viscosity times the step over the "
+                "square of the shortest cell edge, where no time step is "
+                "given; by default as large as the method allows.");
     section.add("First step",
                 first,
                 "s",
@@ -73,6 +80,7 @@ namespace Thalweg
     if (fixed_step > 0)
       return;
     positive(courant_number, "Courant number");
+    positive(fourier_number, "Fourier number");
     positive(first, "First step");
     positive(minimum, "Minimum step");
     positive(maximum, "Maximum step");
@@ -96,23 +104,46 @@ namespace Thalweg
 
 
 
+  std::string
+  TimeControl::warning(const Viscous &viscous) const
+  {
+    if (fixed_step * viscous.rate <= viscous.limit)
+      return "";
+    std::ostringstream text;
+    text << "With 'Time/Time step' = " << fixed_step
+         << " s the Fourier number is " << fixed_step * viscous.rate
+         << ", but with explicit viscosity the method is stable only up to "
+         << viscous.limit << ". The largest stable step is "
+         << viscous.limit / viscous.rate << " s.";
+    return text.str();
+  }
+
+
+
   double
-  TimeControl::next_step(const double time,
-                         const double rate,
-                         const double old_dt) const
+  TimeControl::next_step(const double   time,
+                         const double   rate,
+                         const double   old_dt,
+                         const Viscous &viscous) const
   {
     double dt = fixed_step;
     if (fixed_step == 0.)
       {
-        dt = std::min(maximum, courant_number / std::max(rate, 1e-300));
+        const double by_courant = courant_number / std::max(rate, 1e-300);
+        const double by_fourier = std::min(fourier_number, viscous.limit) /
+                                  std::max(viscous.rate, 1e-300);
+        dt = std::min({maximum, by_courant, by_fourier});
         dt = std::min(dt, old_dt > 0 ? growth * old_dt : first);
-        AssertThrow(dt >= minimum,
-                    dealii::ExcMessage(
-                      "At t = " + std::to_string(time) + " s a step of " +
-                      std::to_string(dt) +
-                      " s would be needed for the Courant number, which is "
-                      "less than 'Time/Minimum step': the solution is "
-                      "probably blowing up."));
+        std::ostringstream message;
+        message << "At t = " << time << " s a step of " << dt
+                << " s would be needed for the "
+                << (by_fourier < by_courant ? "Fourier" : "Courant")
+                << " number, which is less than 'Time/Minimum step': "
+                << (by_fourier < by_courant
+                      ? "the cells are too small for this viscosity where it "
+                        "is explicit."
+                      : "the solution is probably blowing up.");
+        AssertThrow(dt >= minimum, dealii::ExcMessage(message.str()));
       }
     // Hit the target in equal steps rather than with a tiny last one.
     double target = end;

@@ -14,6 +14,7 @@ TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
                                           "time [s]",
                                           "dt [s]",
                                           "Courant number",
+                                          "Fourier number",
                                           "cells",
                                           "dofs",
                                           "particles",

@@ -11,10 +11,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Two normals of one boundary whose cosine is larger belong to one
-    /// smooth wall.
-    constexpr double smooth_wall_cosine = 0.8;
-
     /// The outward normal of a face times the density of its measure.
     template <int dim>
     dealii::Tensor<1, dim>
@@ -29,83 +25,6 @@ namespace Thalweg
       return point.determinant *
              (point.covariant *
               dealii::GeometryInfo<dim>::unit_normal_vector[face_no]);
-    }
-
-
-
-    /// Adds @p normal to an orthonormal set unless it is contained already.
-    template <int dim>
-    void
-    add_direction(std::vector<dealii::Tensor<1, dim>> &directions,
-                  dealii::Tensor<1, dim>               normal)
-    {
-      for (const auto &direction : directions)
-        normal -= (normal * direction) * direction;
-      if (normal.norm() >
-          std::sqrt(1. - smooth_wall_cosine * smooth_wall_cosine))
-        directions.push_back(normal / normal.norm());
-    }
-
-
-
-    /// What the boundary faces around a node ask of its velocity.
-    template <int dim>
-    struct Demand
-    {
-      dealii::Point<dim> position;
-      /// The most demanding kind of condition, in the order of precedence().
-      BoundaryKind kind = BoundaryKind::open;
-      /// The boundary of that kind.
-      dealii::types::boundary_id boundary;
-      /// Weighted normals of slip walls with their boundaries; one for each
-      /// smooth part of a wall.
-      std::vector<std::pair<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
-        walls;
-
-      /// Adds the normal of a face to those of its wall, or as another part
-      /// of the wall behind a sharp edge.
-      void
-      add_wall(const dealii::types::boundary_id id,
-               const dealii::Tensor<1, dim>    &normal)
-      {
-        for (auto &[wall, mean] : walls)
-          if (wall == id &&
-              mean * normal >= smooth_wall_cosine * mean.norm() * normal.norm())
-            {
-              mean += normal;
-              return;
-            }
-        walls.emplace_back(id, normal);
-      }
-
-      /// The fixed directions of a node at slip walls only.
-      std::vector<dealii::Tensor<1, dim>>
-      directions() const
-      {
-        std::vector<dealii::Tensor<1, dim>> result;
-        for (const auto &[wall, normal] : walls)
-          add_direction(result, normal / normal.norm());
-        return result;
-      }
-    };
-
-
-
-    /// Where boundaries meet, the condition with the greater number holds.
-    int
-    precedence(const BoundaryKind kind)
-    {
-      switch (kind)
-        {
-          case BoundaryKind::open:
-            return 0;
-          case BoundaryKind::slip:
-            return 1;
-          case BoundaryKind::no_slip:
-            return 2;
-          default:
-            return 3;
-        }
     }
 
 
@@ -145,9 +64,9 @@ namespace Thalweg
     using Geometry              = dealii::GeometryInfo<dim>;
     const CellGraph<dim> &graph = space.mesh().graph();
 
-    std::map<unsigned int, Demand<dim>>  demands;
-    std::map<unsigned int, PressureNode> pressures;
-    const auto                           add_face = [&](const unsigned int               c,
+    std::map<unsigned int, NodeDemand<dim>> demands;
+    std::map<unsigned int, PressureNode>    pressures;
+    const auto                              add_face = [&](const unsigned int               c,
                               const unsigned int               f,
                               const dealii::types::boundary_id id) {
       const BoundaryKind kind = conditions_.at(id).kind;
@@ -156,35 +75,21 @@ namespace Thalweg
           const unsigned int v = Geometry::face_to_cell_vertices(f, i);
           const unsigned int node = space.nodes(c)[v];
           const auto        &x = graph.cell(c).vertices[v];
-          auto              &demand = demands[node];
-          demand.position           = x;
-          if (precedence(kind) >= precedence(demand.kind))
-            {
-              demand.kind     = kind;
-              demand.boundary = id;
-            }
-          if (kind == BoundaryKind::open)
-            pressures[node] = {node, x, id};
-          if (kind == BoundaryKind::slip)
-            demand.add_wall(id,
+          demands[node].position = x;
+          demands[node].add(id,
+                            kind,
                             weighted_normal<dim>(
                               graph.cell(c), f, Geometry::unit_cell_vertex(v)));
+          if (kind == BoundaryKind::open)
+            pressures[node] = {node, x, id};
         }
     };
     for_each_boundary_face(graph, add_face);
 
     const unsigned int n_owned = space.scalar_layout()->locally_owned_size();
     for (const auto &[node, demand] : demands)
-      if (node < n_owned && !space.is_dependent(node) &&
-          demand.kind != BoundaryKind::open)
-        fixed.push_back({node,
-                         demand.position,
-                         demand.kind == BoundaryKind::velocity
-                           ? demand.boundary
-                           : dealii::numbers::invalid_boundary_id,
-                         demand.kind == BoundaryKind::slip
-                           ? demand.directions()
-                           : std::vector<dealii::Tensor<1, dim>>()});
+      if (node < n_owned && !space.is_dependent(node))
+        fixed.add(node, demand);
     for (const auto &[node, entry] : pressures)
       if (!space.is_dependent(node))
         open_nodes.push_back(entry);
@@ -221,47 +126,6 @@ namespace Thalweg
             }
           faces.push_back(face);
         }
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryNodes<dim>::apply(Vector &velocity) const
-  {
-    project(velocity);
-    dealii::Vector<double> value(dim);
-    for (const FixedNode &entry : fixed)
-      if (entry.velocity_boundary != dealii::numbers::invalid_boundary_id)
-        {
-          conditions_.at(entry.velocity_boundary)
-            .function->vector_value(entry.position, value);
-          for (unsigned int d = 0; d < dim; ++d)
-            velocity.local_element(dim * entry.node + d) = value[d];
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryNodes<dim>::project(Vector &velocity) const
-  {
-    for (const FixedNode &entry : fixed)
-      if (entry.directions.empty())
-        for (unsigned int d = 0; d < dim; ++d)
-          velocity.local_element(dim * entry.node + d) = 0.;
-      else
-        for (const auto &direction : entry.directions)
-          {
-            double component = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              component +=
-                direction[d] * velocity.local_element(dim * entry.node + d);
-            for (unsigned int d = 0; d < dim; ++d)
-              velocity.local_element(dim * entry.node + d) -=
-                component * direction[d];
-          }
   }
 
 

@@ -144,7 +144,9 @@ namespace Thalweg
            control,
            projection,
            phase,
-           flow] = *parts;
+           flow,
+           paths,
+           initial_velocity] = *parts;
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;

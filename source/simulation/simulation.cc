@@ -136,6 +136,9 @@ namespace Thalweg
       std::make_unique<StreamlineConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls);
+    paths = std::make_unique<PathConvection<dim>>(mesh,
+                                                  parameters.convection,
+                                                  walls);
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
     control = std::make_unique<PopulationControl<dim>>(parameters.population,
@@ -187,7 +190,9 @@ namespace Thalweg
                                    *control,
                                    *parameters.projection,
                                    *phase,
-                                   *parameters.fluid_solver},
+                                   *parameters.fluid_solver,
+                                   *paths,
+                                   velocity.get()},
                                   initial_velocity,
                                   initial_level_set);
     if (phase->target_volume == 0)

@@ -1,54 +1,11 @@
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
-
-#include <cmath>
-#include <optional>
 
 namespace Thalweg
 {
   namespace
   {
-    /// Below this part of its diagonal entry a pivot says that the particles
-    /// around a node determine no plane.
-    constexpr double smallest_pivot = 1e-3;
-
-
-
-    /// The first unknown of a symmetric system by Cholesky's method, or
-    /// nothing if a pivot is too small.
-    template <int n>
-    std::optional<double>
-    solve_for_first(const dealii::Tensor<2, n> &matrix,
-                    const dealii::Tensor<1, n> &load)
-    {
-      // Backwards, so that the first unknown comes out first.
-      dealii::Tensor<2, n> factor;
-      dealii::Tensor<1, n> y;
-      for (int i = n - 1; i >= 0; --i)
-        {
-          double pivot = matrix[i][i];
-          for (int k = n - 1; k > i; --k)
-            pivot -= factor[i][k] * factor[i][k];
-          if (!(pivot > smallest_pivot * matrix[i][i]))
-            return {};
-          factor[i][i] = std::sqrt(pivot);
-          for (int j = i - 1; j >= 0; --j)
-            {
-              double entry = matrix[i][j];
-              for (int k = n - 1; k > i; --k)
-                entry -= factor[i][k] * factor[j][k];
-              factor[j][i] = entry / factor[i][i];
-            }
-          double value = load[i];
-          for (int k = n - 1; k > i; --k)
-            value -= factor[i][k] * y[k];
-          y[i] = value / factor[i][i];
-        }
-      return y[0] / factor[0][0];
-    }
-
-
-
     /// A node that a cell's particles speak to: its weight is a combination
     /// of the shape functions of the cell's vertices.
     template <int dim>
@@ -245,12 +202,12 @@ namespace Thalweg
   {
     average->project(population, space, fluids, velocity, level_set);
 
-    constexpr unsigned int n      = dim + 1;
+    constexpr unsigned int n = dim + 1;
     // One length on all processes, since they add up their moments.
     const double length = dealii::Utilities::MPI::min(
       space.mesh().graph().minimal_extent(),
       space.mesh().triangulation().get_communicator());
-    Moments<dim>           moments(space);
+    Moments<dim> moments(space);
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       accumulate(population, space, c, length, moments);
     moments.fold(space);

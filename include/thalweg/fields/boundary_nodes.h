@@ -1,7 +1,7 @@
 #ifndef thalweg_fields_boundary_nodes_h
 #define thalweg_fields_boundary_nodes_h
 
-#include <thalweg/fields/boundary_conditions.h>
+#include <thalweg/fields/fixed_nodes.h>
 #include <thalweg/fields/node_space.h>
 
 #include <vector>
@@ -27,11 +27,17 @@ namespace Thalweg
     /// Sets the fixed components of a velocity to their values at the time
     /// of the conditions. Owned entries only; ghosts are not updated.
     void
-    apply(Vector &velocity) const;
+    apply(Vector &velocity) const
+    {
+      fixed.apply(conditions_, velocity);
+    }
 
     /// Removes the fixed components.
     void
-    project(Vector &velocity) const;
+    project(Vector &velocity) const
+    {
+      fixed.project(velocity);
+    }
 
     /**
      * @brief Adds @p factor times the integral of N_i (V_D . n) in m^dim/s
@@ -80,16 +86,6 @@ namespace Thalweg
     }
 
   private:
-    struct FixedNode
-    {
-      unsigned int       node;
-      dealii::Point<dim> position;
-      /// For a given velocity, else invalid.
-      dealii::types::boundary_id velocity_boundary;
-      /// Orthonormal; empty: all directions.
-      std::vector<dealii::Tensor<1, dim>> directions;
-    };
-
     void
     collect_nodes();
 
@@ -98,7 +94,7 @@ namespace Thalweg
 
     const NodeSpace<dim>          &space;
     const BoundaryConditions<dim> &conditions_;
-    std::vector<FixedNode>         fixed;
+    FixedNodes<dim>                fixed;
     std::vector<PressureNode>      open_nodes;
     std::vector<Face>              faces;
   };

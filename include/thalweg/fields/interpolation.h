@@ -1,9 +1,12 @@
 #ifndef thalweg_fields_interpolation_h
 #define thalweg_fields_interpolation_h
 
+#include <thalweg/fields/lagrange_space.h>
 #include <thalweg/fields/node_space.h>
 
 #include <deal.II/base/function.h>
+
+#include <functional>
 
 namespace Thalweg
 {
@@ -14,6 +17,21 @@ namespace Thalweg
   interpolate_function(const NodeSpace<dim>        &space,
                        const dealii::Function<dim> &function,
                        Vector                      &vector);
+
+  /// The same in a space of any degree, at the nodes of its mapping.
+  template <int dim>
+  void
+  interpolate_function(const LagrangeSpace<dim>    &space,
+                       const dealii::Function<dim> &function,
+                       Vector                      &vector);
+
+  /// Calls @p visit with each owned node and its position, once.
+  template <int dim>
+  void
+  for_each_owned_node(
+    const LagrangeSpace<dim> &space,
+    const std::function<void(const unsigned int, const dealii::Point<dim> &)>
+      &visit);
 } // namespace Thalweg
 
 #endif

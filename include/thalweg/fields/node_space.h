@@ -1,14 +1,12 @@
 #ifndef thalweg_fields_node_space_h
 #define thalweg_fields_node_space_h
 
+#include <thalweg/fields/dependences.h>
 #include <thalweg/mesh/cell_field.h>
-#include <thalweg/mesh/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/la_parallel_vector.h>
 
 #include <array>
 #include <unordered_map>
@@ -17,9 +15,6 @@
 
 namespace Thalweg
 {
-  /// A vector distributed over the ranks, with ghost values.
-  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
-
   /**
    * @brief Q1 fields with one value a node (pressure, level set) or dim
    * values a node (velocity) on the same nodes.
@@ -88,42 +83,33 @@ namespace Thalweg
     void
     initialize_velocity(Vector &vector) const;
 
-    /**
-     * @brief Moves what was added at constrained nodes to the nodes that
-     * they depend on, and adds up over the ranks: the transpose of
-     * interpolate().
-     *
-     * Before, entries (owned and ghost) hold what this rank's cells added.
-     * Afterwards the ghost entries are zero.
-     * @param n_components values a node: 1 or dim
-     */
+    /// See Dependences::fold().
+    /// @param n_components values a node: 1 or dim
     void
-    fold(Vector &vector, const unsigned int n_components) const;
+    fold(Vector &vector, const unsigned int n_components) const
+    {
+      node_dependences.fold(vector, n_components);
+    }
 
     /// Updates ghost values and sets the values at constrained nodes.
     void
-    interpolate(Vector &vector, const unsigned int n_components) const;
-
-    /// A node whose value follows from that of another.
-    struct Dependence
+    interpolate(Vector &vector, const unsigned int n_components) const
     {
-      unsigned int node;
-      unsigned int master;
-      double       weight;
-    };
+      node_dependences.interpolate(vector, n_components);
+    }
 
     /// All local dependences: those of one node stand together.
     const std::vector<Dependence> &
     dependences() const
     {
-      return node_dependences;
+      return node_dependences.all();
     }
 
     /// Whether the value at a local node follows from those of others.
     bool
     is_dependent(const unsigned int node) const
     {
-      return dependent[node];
+      return node_dependences.is_dependent(node);
     }
 
     /**
@@ -168,8 +154,7 @@ namespace Thalweg
     dealii::DoFHandler<dim>                           velocity_dofs;
     dealii::AffineConstraints<double>                 scalar_continuity;
     std::vector<std::array<unsigned int, n_vertices>> cell_nodes;
-    std::vector<Dependence>                           node_dependences;
-    std::vector<bool>                                 dependent;
+    Dependences                                       node_dependences;
     std::vector<dealii::Point<dim>>                   node_positions;
     std::unordered_map<unsigned int, std::pair<unsigned int, unsigned int>>
       hanging;

@@ -7,6 +7,7 @@
 #include <thalweg/fields/flow_fields.h>
 #include <thalweg/fluid/fluid_solver.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/particles/path_convection.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/streamline_convection.h>
 #include <thalweg/transfer/projection.h>
@@ -32,6 +33,9 @@ namespace Thalweg
     const Projection<dim>           &projection;
     PhaseField<dim>                 &phase;
     FluidSolver<dim>                &flow;
+    const PathConvection<dim>       &paths;
+    /// At the start, m/s; only valid when a method is initialized.
+    const dealii::Function<dim> *initial_velocity = nullptr;
   };
 
   /**

@@ -102,6 +102,7 @@ namespace Thalweg
     std::unique_ptr<BoundaryNodes<dim>>        boundary;
     std::unique_ptr<Population<dim>>           population;
     std::unique_ptr<StreamlineConvection<dim>> convection;
+    std::unique_ptr<PathConvection<dim>>       paths;
     std::unique_ptr<PopulationControl<dim>>    control;
     std::unique_ptr<PhaseField<dim>>           phase;
     std::map<std::string, double>              timer_totals;

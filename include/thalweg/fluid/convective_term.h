@@ -1,0 +1,50 @@
+#ifndef thalweg_fluid_convective_term_h
+#define thalweg_fluid_convective_term_h
+
+#include <thalweg/fluid/flow_operators.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief The integral int grad q . (V . grad V), by which the pressure of a
+   * velocity field is found.
+   */
+  template <int dim>
+  class ConvectiveTerm
+  {
+  public:
+    explicit ConvectiveTerm(const FlowOperators<dim> &operators);
+
+    /// result += factor int grad q . (V . grad V); not folded.
+    /// @param velocity ghosted
+    void
+    add(const Vector &velocity, Vector &result, const double factor) const;
+
+  private:
+    /// A quadrature point of a cell in space.
+    struct Point
+    {
+      dealii::Tensor<2, dim> inverse_jacobian; ///< d xi / d x
+      double                 JxW;
+    };
+
+    /// A shape function at a quadrature point of the reference cell.
+    struct Shape
+    {
+      double                 value;
+      dealii::Tensor<1, dim> gradient;
+    };
+
+    const FlowOperators<dim> &operators;
+    unsigned int              n_points;
+    std::vector<Point>        points;          ///< [shape][q]
+    std::vector<Shape>        velocity_shapes; ///< [q][node]
+    std::vector<Shape>        pressure_shapes; ///< [q][node]
+  };
+} // namespace Thalweg
+
+#endif

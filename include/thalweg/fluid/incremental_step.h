@@ -1,0 +1,157 @@
+#ifndef thalweg_fluid_incremental_step_h
+#define thalweg_fluid_incremental_step_h
+
+#include <thalweg/core/context.h>
+#include <thalweg/fields/operator_solver.h>
+#include <thalweg/fluid/body_forces.h>
+#include <thalweg/fluid/convective_term.h>
+#include <thalweg/fluid/flow_operators.h>
+#include <thalweg/fluid/pressure_poisson.h>
+#include <thalweg/fluid/single_fluid_flow_parameters.h>
+#include <thalweg/materials/fluids.h>
+
+#include <memory>
+
+namespace Thalweg
+{
+  /**
+   * @brief The mesh stage of PFEM-2 for a single fluid: steps A to C of the
+   * incremental fractional step (Eq. 81b to 81d), and the nodal fields of
+   * explicit forces (Eq. 77 to 80). Pressures and forces are divided by the
+   * density.
+   */
+  template <int dim>
+  class IncrementalStep
+  {
+  public:
+    /// All arguments must outlive the object.
+    IncrementalStep(Context                          &context,
+                    const FlowOperators<dim>         &operators,
+                    const FlowBoundary<dim>          &boundary,
+                    const PressureStabilization<dim> &stabilization,
+                    const IncrementalStepParameters  &parameters,
+                    const double                      kinematic_viscosity);
+
+    /// g: M g = -nu K V + boundary terms (Eq. 78), m/s^2.
+    void
+    viscous_acceleration(const Vector &velocity, Vector &g);
+
+    /**
+     * @brief (M + theta nu dt K) smooth = M g: what an implicit step makes of
+     * the viscous acceleration. It stays bounded at any Fourier number, so
+     * that it may be integrated along streamlines.
+     */
+    void
+    smooth(const Vector &g, const double dt, Vector &smoothed);
+
+    /// pi: M pi = G p (Eq. 79), m/s^2.
+    void
+    pressure_acceleration(const Vector &pressure, Vector &pi);
+
+    /**
+     * @brief The pressure that belongs to a velocity field: that with which
+     * its material acceleration keeps it free of divergence,
+     *
+     * (grad q, grad p) = (grad q, forces - V . grad V) - <q, n . dV_D/dt>.
+     *
+     * @param velocity ghosted
+     * @param forces body and viscous forces, m/s^2, ghosted
+     * @param boundary_acceleration nodal, where the velocity is given, else
+     *   zero; ghosted
+     * @param pressure in: its values at open boundaries, and a guess; out:
+     *   ghosted, m^2/s^2
+     * @throws SolverFailure
+     */
+    void
+    find_pressure(const Vector &velocity,
+                  const Vector &forces,
+                  const Vector &boundary_acceleration,
+                  Vector       &pressure);
+
+    /// What the particles' velocity contains already.
+    struct Explicit
+    {
+      const Vector &pressure;              ///< its gradient, m^2/s^2
+      const Vector &pressure_acceleration; ///< the same as nodal field
+      /// The viscous acceleration at the end of the step; theta dt times this.
+      const Vector &viscous;
+      const Vector &forces; ///< b + g for the stabilization
+    };
+
+    /**
+     * @brief Steps A to C.
+     * @param velocity_star projected from the particles, ghosted
+     * @param given what it contains
+     * @param stabilized whether to stabilize the pressure
+     * @param dt s
+     * @param velocity out: V^{n+1}, ghosted
+     * @param pressure out: p^{n+1/2}, ghosted; must not be that in @p given
+     * @throws SolverFailure
+     */
+    void
+    solve(const Vector   &velocity_star,
+          const Explicit &given,
+          const bool      stabilized,
+          const double    dt,
+          Vector         &velocity,
+          Vector         &pressure);
+
+  private:
+    /// Makes M + theta nu dt K anew when dt has changed.
+    void
+    update_implicit(const double dt);
+
+    /// tau of each cell, and tau / dt + 1 for the operator of the pressure.
+    void
+    find_stabilization(const Vector &velocity,
+                       const bool    stabilized,
+                       const double  dt);
+
+    /// solution = A^{-1} load.
+    SolveReport
+    solve(const OperatorSolver<dim> &solver,
+          Vector                    &solution,
+          const std::string         &what,
+          const double               reference = 0.);
+
+    void
+    predict(const Vector   &velocity_star,
+            const Explicit &given,
+            const double    dt,
+            const Vector   &pressure,
+            Vector         &velocity);
+
+    void
+    correct(const Explicit &given,
+            const double    dt,
+            Vector         &velocity,
+            Vector         &pressure);
+
+    Context                          &context;
+    const FlowOperators<dim>         &operators;
+    const FlowBoundary<dim>          &boundary;
+    const PressureStabilization<dim> &stabilization;
+    const IncrementalStepParameters  &parameters;
+    const double                      nu;
+
+    OperatorSolver<dim>                  mass;       ///< nothing is fixed
+    OperatorSolver<dim>                  fixed_mass; ///< with fixed nodes
+    OperatorSolver<dim>                  pressure_mass;
+    PressurePoisson<dim>                 poisson;
+    ConvectiveTerm<dim>                  convection;
+    double                               implicit_dt = -1.;
+    CellOperator<dim>                    implicit_matrix;
+    std::unique_ptr<OperatorSolver<dim>> implicit;
+    std::unique_ptr<OperatorSolver<dim>> fixed_implicit;
+    bool                                 is_stabilized = false;
+    std::vector<double>                  tau;
+    std::vector<double>                  factors;
+    Vector                               load;
+    Vector                               change;
+    Vector                               pressure_load;
+    Vector                               increment;
+    Vector                               divergence;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,177 @@
+#ifndef thalweg_fluid_single_fluid_flow_h
+#define thalweg_fluid_single_fluid_flow_h
+
+#include <thalweg/fields/flow_fields.h>
+#include <thalweg/fluid/boundary_reaction.h>
+#include <thalweg/fluid/incremental_step.h>
+#include <thalweg/fluid/single_fluid_flow_parameters.h>
+
+#include <deal.II/base/function.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <memory>
+
+namespace Thalweg
+{
+  /**
+   * @brief Velocity and pressure of a single fluid on the mesh between two
+   * steps of PFEM-2, and the accelerations that particles meet on their way
+   * (Eq. 77 to 81).
+   *
+   * Velocities belong to the ends of the steps, pressures to their middles.
+   * Pressures and forces are divided by the density.
+   */
+  template <int dim>
+  class SingleFluidFlow
+  {
+  public:
+    /// All arguments must outlive the object.
+    SingleFluidFlow(Context                              &context,
+                    const Mesh<dim>                      &mesh,
+                    const SingleFluidFlowParameters<dim> &parameters,
+                    const Fluid                          &fluid,
+                    const BodyForces<dim>                &forces,
+                    BoundaryConditions<dim>              &conditions);
+
+    /// Sets the velocity at the start.
+    void
+    initialize(const dealii::Function<dim> &velocity);
+
+    /// Prepares the step from @p time to @p time + @p dt: guesses the fields
+    /// at its end.
+    void
+    start_step(const double time, const double dt);
+
+    /**
+     * @brief The accelerations of the step as far as they are known, m/s^2.
+     * @param begin along the path, at the beginning of the step
+     * @param end the same at its end, linear in time in between
+     * @param at_start for the whole step, where particles start
+     */
+    void
+    find_accelerations(Vector &begin, Vector &end, Vector &at_start);
+
+    /// Solves for the end of the step (Eq. 81b to 81d).
+    /// @param velocity_star projected from the particles, ghosted
+    void
+    solve(const Vector &velocity_star);
+
+    /// Takes what was solved for as the state.
+    void
+    end_step();
+
+    const LagrangeSpace<dim> &
+    space() const
+    {
+      return *velocity_space;
+    }
+
+    /// V^n, ghosted.
+    const Vector &
+    velocity() const
+    {
+      return begin_velocity;
+    }
+
+    /// V^{n+1} as far as it is known, ghosted.
+    const Vector &
+    velocity_at_end() const
+    {
+      return end_velocity;
+    }
+
+    /// The velocity along whose streamlines particles move at the end of the
+    /// step: V^n in steps of first order.
+    const Vector &
+    convecting_velocity_at_end() const
+    {
+      return second_order ? end_velocity : begin_velocity;
+    }
+
+    /// Whether the first step is to come, when all is unknown.
+    bool
+    is_at_start() const
+    {
+      return old_dt == 0.;
+    }
+
+    const FlowFields<dim> &
+    fields() const
+    {
+      return view;
+    }
+
+    const LagrangeSpace<dim> &
+    space_of_pressure() const
+    {
+      return *pressure_space;
+    }
+
+  private:
+    /// Nodal body forces at the time of the forces, m/s^2.
+    void
+    find_body_force();
+
+    /// g of @p velocity and what an implicit step makes of it.
+    void
+    find_viscous(const Vector &velocity, Vector &g, Vector &smoothed);
+
+    /// Whether the explicit pressure follows from the velocity.
+    bool
+    is_consistent() const
+    {
+      return parameters.explicit_pressure == "consistent" &&
+             parameters.step.pressure_gamma == 1;
+    }
+
+    /// The pressure of @p velocity with the viscous acceleration @p g at
+    /// @p at.
+    void
+    find_pressure(const Vector &velocity,
+                  const Vector &g,
+                  const double  at,
+                  Vector       &pressure);
+
+    /// The explicit pressures before anything of the step is known.
+    void
+    guess_pressures();
+
+    /// pi (Eq. 79) at both ends of the step.
+    void
+    find_pressure_gradients();
+
+    Context                               &context;
+    const SingleFluidFlowParameters<dim>  &parameters;
+    const Fluid                            fluid;
+    const BodyForces<dim>                 &forces;
+    BoundaryConditions<dim>               &conditions;
+    const bool                             second_order;
+    const dealii::MappingQ<dim>            mapping;
+    std::unique_ptr<LagrangeSpace<dim>>    velocity_space;
+    std::unique_ptr<LagrangeSpace<dim>>    pressure_space;
+    std::unique_ptr<FlowBoundary<dim>>     boundary;
+    std::unique_ptr<FlowOperators<dim>>    operators;
+    std::unique_ptr<IncrementalStep<dim>>  step;
+    std::unique_ptr<BoundaryReaction<dim>> boundary_reaction;
+
+    double time = 0., dt = 0., old_dt = 0.;
+    /// Whether the fields at the end of the step were solved for.
+    bool   has_solution = false;
+    Vector begin_velocity, end_velocity, old_velocity;
+    /// Explicit pressures at the beginning of the last step, and at both ends
+    /// of this one.
+    Vector old_begin_pressure, begin_pressure, end_pressure;
+    /// In the middle of this step: explicit, and solved for; of the last one.
+    Vector pressure, new_pressure, old_pressure;
+    /// Incremental: the change of the pressure in a second.
+    Vector pressure_rate;
+    Vector body_force, boundary_acceleration;
+    Vector viscous, begin_viscous, end_viscous, end_smooth;
+    Vector begin_gradient, end_gradient, pressure_gradient, force;
+    /// For those who look: Pa and N.
+    Vector          physical_pressure, reaction;
+    FlowFields<dim> view;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,79 @@
+#ifndef thalweg_methods_single_fluid_pfem2_h
+#define thalweg_methods_single_fluid_pfem2_h
+
+#include <thalweg/fluid/single_fluid_flow.h>
+#include <thalweg/methods/method.h>
+#include <thalweg/particles/population_snapshot.h>
+#include <thalweg/transfer/velocity_projection.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief PFEM-2 for a single fluid with explicit forces along the
+   * streamlines (Eq. 81), of second order in space and time.
+   */
+  template <int dim>
+  class SingleFluidPfem2 : public Method<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) override;
+
+    void
+    check() const override;
+
+    void
+    initialize(const Parts<dim> &parts,
+               const Vector     &initial_velocity,
+               const Vector     &initial_level_set) override;
+
+    void
+    advance(const double time, const double dt) override;
+
+    const Vector &
+    velocity() const override
+    {
+      return parts->flow.velocity();
+    }
+
+    const FlowFields<dim> *
+    flow_fields() const override
+    {
+      return flow ? &flow->fields() : nullptr;
+    }
+
+    double
+    fourier_limit() const override;
+
+  private:
+    /// x_p and the explicit part of V_p (Eq. 81a); empty cells are filled.
+    void
+    move_particles(const double dt);
+
+    /// Copies velocity and pressure to the Q1 fields that all methods have.
+    void
+    show_at_vertices();
+
+    /// How often the step is made, the first time included.
+    unsigned int
+    n_passes() const;
+
+    unsigned int                    corrector_iterations = 0;
+    unsigned int                    first_corrections    = 2;
+    double                          blend                = 0.;
+    SingleFluidFlowParameters<dim>  flow_parameters;
+    Choice<VelocityProjection<dim>> projection;
+
+    std::unique_ptr<Parts<dim>>           parts;
+    std::unique_ptr<SingleFluidFlow<dim>> flow;
+    PopulationSnapshot<dim>               particles_at_start;
+    PathFields<dim>                       path;
+    Vector begin_acceleration, end_acceleration, acceleration_at_start;
+    Vector velocity_star;
+    /// Of the present pass.
+    ConvectionReport report;
+    unsigned int     n_added = 0;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef thalweg_transfer_plane_fit_h
+#define thalweg_transfer_plane_fit_h
+
+#include <deal.II/base/tensor.h>
+
+#include <cmath>
+#include <optional>
+
+namespace Thalweg
+{
+  /// Below this part of its diagonal entry a pivot says that the particles
+  /// around a node determine no plane.
+  constexpr double smallest_pivot = 1e-3;
+
+  /// The first unknown of a symmetric system by Cholesky's method, or
+  /// nothing if a pivot is too small.
+  template <int n>
+  inline std::optional<double>
+  solve_for_first(const dealii::Tensor<2, n> &matrix,
+                  const dealii::Tensor<1, n> &load)
+  {
+    // Backwards, so that the first unknown comes out first.
+    dealii::Tensor<2, n> factor;
+    dealii::Tensor<1, n> y;
+    for (int i = n - 1; i >= 0; --i)
+      {
+        double pivot = matrix[i][i];
+        for (int k = n - 1; k > i; --k)
+          pivot -= factor[i][k] * factor[i][k];
+        if (!(pivot > smallest_pivot * matrix[i][i]))
+          return {};
+        factor[i][i] = std::sqrt(pivot);
+        for (int j = i - 1; j >= 0; --j)
+          {
+            double entry = matrix[i][j];
+            for (int k = n - 1; k > i; --k)
+              entry -= factor[i][k] * factor[j][k];
+            factor[j][i] = entry / factor[i][i];
+          }
+        double value = load[i];
+        for (int k = n - 1; k > i; --k)
+          value -= factor[i][k] * y[k];
+        y[i] = value / factor[i][i];
+      }
+    return y[0] / factor[0][0];
+  }
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,372 @@
+#include <thalweg/fields/interpolation.h>
+#include <thalweg/fluid/single_fluid_flow.h>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// a = b, owned entries.
+    void
+    copy(Vector &a, const Vector &b)
+    {
+      a.zero_out_ghost_values();
+      a.copy_locally_owned_data_from(b);
+    }
+
+
+
+    /// result = new + (new - old) ratio, owned entries.
+    void
+    extrapolate(const Vector &new_value,
+                const Vector &old_value,
+                const double  ratio,
+                Vector       &result)
+    {
+      copy(result, new_value);
+      result.add(ratio, new_value);
+      result.add(-ratio, old_value);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SingleFluidFlow<dim>::SingleFluidFlow(
+    Context                              &context,
+    const Mesh<dim>                      &mesh,
+    const SingleFluidFlowParameters<dim> &parameters,
+    const Fluid                          &fluid,
+    const BodyForces<dim>                &forces,
+    BoundaryConditions<dim>              &conditions)
+    : context(context)
+    , parameters(parameters)
+    , fluid(fluid)
+    , forces(forces)
+    , conditions(conditions)
+    , second_order(parameters.order == "second order")
+    , mapping(2)
+    , velocity_space(
+        std::make_unique<LagrangeSpace<dim>>(mesh,
+                                             parameters.velocity_degree,
+                                             mapping))
+    , pressure_space(
+        std::make_unique<LagrangeSpace<dim>>(mesh,
+                                             parameters.pressure_degree,
+                                             mapping))
+    , boundary(std::make_unique<FlowBoundary<dim>>(*velocity_space,
+                                                   *pressure_space,
+                                                   conditions))
+    , operators(
+        std::make_unique<FlowOperators<dim>>(*velocity_space,
+                                             *pressure_space,
+                                             *boundary,
+                                             parameters.mass == "lumped"))
+    , step(
+        std::make_unique<IncrementalStep<dim>>(context,
+                                               *operators,
+                                               *boundary,
+                                               *parameters.stabilization,
+                                               parameters.step,
+                                               fluid.viscosity / fluid.density))
+    , boundary_reaction(
+        std::make_unique<BoundaryReaction<dim>>(*operators,
+                                                *boundary,
+                                                fluid.viscosity /
+                                                  fluid.density))
+    , view{mapping,
+           velocity_space->velocity(),
+           pressure_space->scalar(),
+           begin_velocity,
+           physical_pressure,
+           reaction,
+           fluid.density,
+           fluid.viscosity,
+           0.}
+  {
+    for (Vector *vector : {&begin_velocity,
+                           &end_velocity,
+                           &old_velocity,
+                           &body_force,
+                           &viscous,
+                           &begin_viscous,
+                           &end_viscous,
+                           &end_smooth,
+                           &boundary_acceleration,
+                           &begin_gradient,
+                           &end_gradient,
+                           &pressure_gradient,
+                           &force,
+                           &reaction})
+      velocity_space->initialize(*vector, dim);
+    for (Vector *vector : {&old_begin_pressure,
+                           &begin_pressure,
+                           &end_pressure,
+                           &old_pressure,
+                           &pressure,
+                           &new_pressure,
+                           &pressure_rate,
+                           &physical_pressure})
+      pressure_space->initialize(*vector, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::initialize(const dealii::Function<dim> &velocity)
+  {
+    conditions.set_time(0.);
+    interpolate_function(*velocity_space, velocity, begin_velocity);
+    boundary->apply(begin_velocity);
+    velocity_space->interpolate(begin_velocity, dim);
+    old_velocity = begin_velocity;
+    end_velocity = begin_velocity;
+    end_velocity.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_body_force()
+  {
+    for (unsigned int n = 0; n < velocity_space->n_owned_nodes(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        body_force.local_element(dim * n + d) = forces.gravity()[d];
+    if (forces.has_density())
+      for_each_owned_node<dim>(*velocity_space,
+                               [&](const unsigned int        node,
+                                   const dealii::Point<dim> &position) {
+                                 const auto f = forces.density(position);
+                                 for (unsigned int d = 0; d < dim; ++d)
+                                   body_force.local_element(dim * node + d) +=
+                                     f[d] / fluid.density;
+                               });
+    velocity_space->interpolate(body_force, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_viscous(const Vector &velocity,
+                                     Vector       &g,
+                                     Vector       &smoothed)
+  {
+    step->viscous_acceleration(velocity, g); // (78)
+    step->smooth(g, dt, smoothed);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_pressure(const Vector &velocity,
+                                      const Vector &g,
+                                      const double  at,
+                                      Vector       &result)
+  {
+    // dV_D/dt by a difference that no expression notices.
+    const double tick = 1e-3 * dt;
+    force.zero_out_ghost_values();
+    force = 0.;
+    conditions.set_time(at - tick);
+    boundary->apply(force);
+    boundary_acceleration.zero_out_ghost_values();
+    boundary_acceleration = 0.;
+    conditions.set_time(at + tick);
+    boundary->apply(boundary_acceleration);
+    boundary_acceleration.add(-1., force);
+    boundary_acceleration *= .5 / tick;
+    velocity_space->interpolate(boundary_acceleration, dim);
+
+    copy(force, body_force);
+    force.add(1., g);
+    velocity_space->interpolate(force, dim);
+    conditions.set_time(at);
+    result.zero_out_ghost_values();
+    boundary->apply_open(result, 1. / fluid.density);
+    pressure_space->interpolate(result, 1);
+    step->find_pressure(velocity, force, boundary_acceleration, result);
+    conditions.set_time(time + dt);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::guess_pressures()
+  {
+    if (is_consistent())
+      {
+        copy(old_begin_pressure, begin_pressure);
+        find_pressure(begin_velocity, viscous, time, begin_pressure);
+        copy(end_pressure, begin_pressure);
+        if (old_dt > 0. && second_order)
+          extrapolate(begin_pressure,
+                      old_begin_pressure,
+                      dt / old_dt,
+                      end_pressure);
+      }
+    else
+      {
+        copy(pressure, old_pressure);
+        if (old_dt > 0. && second_order)
+          pressure.add(.5 * (dt + old_dt), pressure_rate);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::start_step(const double time_, const double dt_)
+  {
+    time = time_;
+    dt   = dt_;
+    conditions.set_time(time + dt);
+    find_body_force();
+    find_viscous(begin_velocity, viscous, begin_viscous);
+    if (old_dt > 0. && second_order)
+      extrapolate(begin_velocity, old_velocity, dt / old_dt, end_velocity);
+    else
+      copy(end_velocity, begin_velocity);
+    boundary->apply(end_velocity);
+    velocity_space->interpolate(end_velocity, dim);
+    guess_pressures();
+    has_solution = false;
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_pressure_gradients()
+  {
+    if (is_consistent())
+      {
+        if (has_solution)
+          find_pressure(end_velocity, end_viscous, time + dt, end_pressure);
+        copy(pressure, begin_pressure);
+        pressure.add(1., end_pressure);
+        pressure *= .5;
+      }
+    else
+      {
+        if (parameters.step.pressure_gamma == 0)
+          {
+            pressure      = 0.;
+            pressure_rate = 0.;
+          }
+        copy(begin_pressure, pressure);
+        copy(end_pressure, pressure);
+        begin_pressure.add(-.5 * dt, pressure_rate);
+        end_pressure.add(.5 * dt, pressure_rate);
+      }
+    for (Vector *p : {&pressure, &begin_pressure, &end_pressure})
+      {
+        if (parameters.step.pressure_gamma == 1)
+          boundary->apply_open(*p, 1. / fluid.density);
+        pressure_space->interpolate(*p, 1);
+      }
+    step->pressure_acceleration(begin_pressure, begin_gradient); // (79)
+    step->pressure_acceleration(end_pressure, end_gradient);
+    copy(pressure_gradient, begin_gradient);
+    pressure_gradient.add(1., end_gradient);
+    pressure_gradient *= .5;
+    velocity_space->interpolate(pressure_gradient, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_accelerations(Vector &begin,
+                                           Vector &end,
+                                           Vector &at_start)
+  {
+    const double theta = parameters.step.viscous_theta;
+    if (second_order)
+      find_viscous(end_velocity, end_viscous, end_smooth);
+    find_pressure_gradients();
+    copy(begin, body_force);
+    copy(end, body_force);
+    begin.add(-1., begin_gradient);
+    end.add(-1., end_gradient);
+    at_start.zero_out_ghost_values();
+    at_start = 0.;
+    if (second_order)
+      {
+        begin.add(1., begin_viscous);
+        end.add(1., end_smooth);
+        at_start.add(1. - theta, viscous);
+        at_start.add(theta - 1., begin_viscous);
+      }
+    else
+      {
+        begin.add(1. - theta, viscous);
+        end.add(1. - theta, viscous);
+      }
+    for (Vector *vector : {&begin, &end, &at_start})
+      {
+        boundary->project_acceleration(*vector);
+        velocity_space->interpolate(*vector, dim);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::solve(const Vector &velocity_star)
+  {
+    copy(force, body_force);
+    force.add(1., viscous);
+    velocity_space->interpolate(force, dim);
+    step->solve(velocity_star,
+                {pressure, pressure_gradient, end_smooth, force},
+                !is_consistent(),
+                dt,
+                end_velocity,
+                new_pressure);
+    has_solution = true;
+    if (is_consistent())
+      return;
+    // What a repetition of the step, or the next one, knows.
+    if (second_order && old_dt > 0.)
+      {
+        copy(pressure_rate, new_pressure);
+        pressure_rate.add(-1., old_pressure);
+        pressure_rate *= 2. / (dt + old_dt);
+      }
+    copy(pressure, new_pressure);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::end_step()
+  {
+    boundary_reaction->find(begin_velocity,
+                            end_velocity,
+                            new_pressure,
+                            body_force,
+                            dt,
+                            fluid.density,
+                            reaction);
+    copy(old_velocity, begin_velocity);
+    copy(begin_velocity, end_velocity);
+    velocity_space->interpolate(begin_velocity, dim);
+    copy(old_pressure, new_pressure);
+    copy(physical_pressure, new_pressure);
+    physical_pressure *= fluid.density;
+    pressure_space->interpolate(physical_pressure, 1);
+    view.pressure_time = time + .5 * dt;
+    old_dt             = dt;
+  }
+
+
+
+  THALWEG_INSTANTIATE(SingleFluidFlow)
+} // namespace Thalweg

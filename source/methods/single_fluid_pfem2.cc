@@ -1,0 +1,226 @@
+#include <thalweg/fields/vertex_values.h>
+#include <thalweg/methods/single_fluid_pfem2.h>
+
+#include <algorithm>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::declare_parameters(const Section &section)
+  {
+    flow_parameters.declare_parameters(section);
+    section.add("Corrector iterations",
+                corrector_iterations,
+                "",
+                "How often a step is made again from its beginning, with the "
+                "velocity and pressure found for its end (Eq. 63 with theta = "
+                "1/2); 0: these are extrapolated from the last steps. Each "
+                "costs as much as a step.",
+                dealii::Patterns::Integer(0));
+    section.add("First corrections",
+                first_corrections,
+                "",
+                "The same at least for the first step, before which the "
+                "pressure is unknown.",
+                dealii::Patterns::Integer(0));
+    section.add("Increment blend",
+                blend,
+                "",
+                "The part of the particles' velocity that is replaced by the "
+                "mesh's each step. 0: they take the increment only (Eq. 81e), "
+                "which costs no energy; 1: they take the mesh's velocity.",
+                dealii::Patterns::Double(0, 1));
+    projection.declare_parameters(section.enter("Projection"),
+                                  "l2",
+                                  "projection of the particles' velocity");
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::check() const
+  {
+    flow_parameters.check();
+  }
+
+
+
+  template <int dim>
+  double
+  SingleFluidPfem2<dim>::fourier_limit() const
+  {
+    const double theta = flow_parameters.step.viscous_theta;
+    if (theta >= .5)
+      return std::numeric_limits<double>::infinity();
+    // (65) with the greatest eigenvalue of M^{-1} K on squares and cubes.
+    const double eigenvalue = flow_parameters.velocity_degree == 2 ? 60.
+                              : flow_parameters.mass == "lumped"   ? 4.
+                                                                   : 12.;
+    return 2. / (eigenvalue * dim * (1. - 2. * theta));
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::initialize(const Parts<dim> &parts_,
+                                    const Vector &,
+                                    const Vector &initial_level_set)
+  {
+    AssertThrow(parts_.fluids.size() == 1,
+                dealii::ExcMessage(
+                  "The method 'single fluid pfem2' is for one fluid: set "
+                  "'Fluids/Number' to 1, or 'Method/Model' to 'pfem2'."));
+    parts = std::make_unique<Parts<dim>>(parts_);
+    parts->phase.rebuild(initial_level_set);
+    flow = std::make_unique<SingleFluidFlow<dim>>(parts->context,
+                                                  parts->mesh,
+                                                  flow_parameters,
+                                                  parts->fluids[0],
+                                                  parts->forces,
+                                                  parts->conditions);
+    flow->initialize(*parts->initial_velocity);
+    for (Vector *vector : {&begin_acceleration,
+                           &end_acceleration,
+                           &acceleration_at_start,
+                           &velocity_star})
+      flow->space().initialize(*vector, dim);
+    path.degree = flow->space().degree();
+    show_at_vertices();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::show_at_vertices()
+  {
+    copy_to_vertices(flow->space(),
+                     flow->velocity(),
+                     parts->space,
+                     parts->flow.velocity(),
+                     dim);
+    copy_to_vertices(flow->space_of_pressure(),
+                     flow->fields().pressure,
+                     parts->space,
+                     parts->flow.pressure(),
+                     1);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  SingleFluidPfem2<dim>::n_passes() const
+  {
+    return 1 + (flow->is_at_start()
+                  ? std::max(first_corrections, corrector_iterations)
+                  : corrector_iterations);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::move_particles(const double dt)
+  {
+    auto &[context,
+           mesh,
+           space,
+           fluids,
+           forces,
+           conditions,
+           boundary,
+           population,
+           convection,
+           control,
+           projection_q1,
+           phase,
+           flow_q1,
+           paths,
+           initial_velocity] = *parts;
+
+    const LagrangeSpace<dim> &nodes = flow->space();
+    nodes.copy_to_cells(flow->velocity(), path.begin_velocity);
+    nodes.copy_to_cells(flow->convecting_velocity_at_end(), path.end_velocity);
+    nodes.copy_to_cells(begin_acceleration, path.begin_acceleration);
+    nodes.copy_to_cells(end_acceleration, path.end_acceleration);
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "convection");
+      add_field(population, nodes, acceleration_at_start, dt);
+      report = paths.move(population, path, dt);
+    }
+    dealii::TimerOutput::Scope scope(context.timers, "population");
+    n_added = control.fill_empty_cells(
+      population, [&](const auto &cells, const auto &points) {
+        return paths.trace_back(cells, points, path, dt);
+      });
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::advance(const double time, const double dt)
+  {
+    auto &timers = parts->context.timers;
+    parts->forces.set_time(time + .5 * dt);
+    for (const char *column : {"pressure iterations", "viscous iterations"})
+      parts->context.statistics.set(column, 0);
+    flow->start_step(time, dt);
+    const unsigned int n = n_passes();
+    if (n > 1)
+      particles_at_start.save(parts->population);
+    for (unsigned int pass = 0; pass < n; ++pass)
+      {
+        if (pass > 0)
+          particles_at_start.restore(parts->population);
+        {
+          dealii::TimerOutput::Scope scope(timers, "accelerations");
+          flow->find_accelerations(begin_acceleration,
+                                   end_acceleration,
+                                   acceleration_at_start); // (77) to (80)
+        }
+        move_particles(dt); // (81a)
+        {
+          dealii::TimerOutput::Scope scope(timers, "projection");
+          velocity_star.zero_out_ghost_values();
+          velocity_star.copy_locally_owned_data_from(flow->velocity_at_end());
+          flow->space().interpolate(velocity_star, dim);
+          parts->context.statistics.set(
+            "projection iterations",
+            projection->project(parts->population,
+                                flow->space(),
+                                velocity_star)); // 1)
+        }
+        flow->solve(velocity_star); // (81b) to (81d)
+      }
+    {
+      dealii::TimerOutput::Scope scope(timers, "increment");
+      add_increment(parts->population,
+                    flow->space(),
+                    flow->velocity_at_end(),
+                    velocity_star,
+                    blend); // (81e)
+    }
+    unsigned int n_removed;
+    {
+      dealii::TimerOutput::Scope scope(timers, "population");
+      n_removed = parts->control.limit(parts->population);
+    }
+    flow->end_step();
+    show_at_vertices();
+    record_particles(*parts, report, n_added, n_removed);
+  }
+
+
+
+  THALWEG_INSTANTIATE(SingleFluidPfem2)
+  THALWEG_REGISTER(Method,
+                   SingleFluidPfem2,
+                   "single fluid pfem2",
+                   "one fluid: explicit forces along the streamlines, an "
+                   "incremental fractional step, second order (Eq. 81)")
+} // namespace Thalweg

@@ -9,8 +9,10 @@ namespace Thalweg
                 viscous_theta,
                 "",
                 "Implicit part of the viscous forces (Eq. 68): 0 explicit, "
-                "1/2 second order, 1 fully implicit. Below 1/2 steps are "
-                "limited by the Fourier number (Eq. 65).",
+                "1/2 the trapezoidal rule, 1 implicit. Steps of second order "
+                "are so with 1/2 and with 1, since the implicit solve only "
+                "replaces a guess; 1 damps what the mesh cannot resolve. Below "
+                "1/2 steps are limited by the Fourier number (Eq. 65).",
                 dealii::Patterns::Double(0, 1));
     section.add("Pressure gamma",
                 pressure_gamma,

@@ -21,8 +21,8 @@ namespace Thalweg
     section.add("First corrections",
                 first_corrections,
                 "",
-                "The same at least for the first step, before which the "
-                "pressure is unknown.",
+                "The same at least for the first step, before which there is "
+                "nothing to extrapolate from.",
                 dealii::Patterns::Integer(0));
     section.add("Increment blend",
                 blend,

@@ -31,8 +31,11 @@ namespace Thalweg
                     regularization,
                     "",
                     "The part of the mass matrix that holds the velocity at "
-                    "its last value where too few particles speak.",
-                    dealii::Patterns::Double(0, 1));
+                    "its extrapolated value where too few particles speak; "
+                    "negative: 0.001 for velocities of degree 1 and 0.1 for "
+                    "those of degree 2, whose finest modes particles on the "
+                    "same streamlines may not see.",
+                    dealii::Patterns::Double(-1, 1));
       }
 
 
@@ -74,8 +77,7 @@ namespace Thalweg
             double *const      entries = matrix.matrix(c);
             const unsigned int n_here =
               population.handler().n_particles_in_cell(graph.iterator(c));
-            const double weight =
-              graph.cell(c).measure / std::max(1u, n_here);
+            const double weight = graph.cell(c).measure / std::max(1u, n_here);
             std::array<double, dim * n> sums{};
             for (const auto &particle :
                  population.handler().particles_in_cell(graph.iterator(c)))
@@ -115,9 +117,11 @@ namespace Thalweg
                  double *const                 entries,
                  std::array<double, n_values> &sums) const
       {
-        constexpr unsigned int n = LagrangeShape::n_nodes(dim, degree);
-        const double           mass =
-          regularization * space.mesh().graph().cell(cell).measure / n;
+        constexpr unsigned int n    = LagrangeShape::n_nodes(dim, degree);
+        const double           part = regularization >= 0. ? regularization
+                                      : degree == 1        ? 1e-3
+                                                           : .1;
+        const double mass = part * space.mesh().graph().cell(cell).measure / n;
         for (unsigned int i = 0; i < n; ++i)
           {
             entries[i * n + i] += mass;
@@ -131,7 +135,7 @@ namespace Thalweg
       static constexpr unsigned int maximum = 1000;
 
       double tolerance      = 1e-8;
-      double regularization = 1e-6;
+      double regularization = -1.;
     };
   } // namespace
 

@@ -14,7 +14,7 @@ namespace Thalweg
     declare_parameters(const Section &section);
 
     /// theta of Eq. 68b, 70.
-    double viscous_theta = 0.5;
+    double viscous_theta = 1.;
     /// gamma of Eq. 70: 1 or 0.
     unsigned int pressure_gamma        = 1;
     unsigned int iterations            = 1;

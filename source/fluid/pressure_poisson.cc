@@ -96,7 +96,13 @@ namespace Thalweg
               }
         matrix->compress(dealii::VectorOperation::add);
       }
-    amg.build(*matrix);
+    // Incomplete factors break down where degree and stretched cells make
+    // for large positive entries.
+    using Smoother = AmgPreconditioner::Smoother;
+    amg.build(*matrix,
+              space.degree() == 1 && space.mesh().graph().all_axis_parallel() ?
+                Smoother::incomplete_cholesky :
+                Smoother::chebyshev);
   }
 
 

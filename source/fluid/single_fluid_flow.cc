@@ -1,10 +1,24 @@
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/fluid/single_fluid_flow.h>
 
+#include <deal.II/fe/mapping_q.h>
+
 namespace Thalweg
 {
   namespace
   {
+    /// Curved cells, whose manifolds are asked only once.
+    template <int dim>
+    std::unique_ptr<dealii::MappingQCache<dim>>
+    curved_mapping(const Mesh<dim> &mesh)
+    {
+      auto mapping = std::make_unique<dealii::MappingQCache<dim>>(2);
+      mapping->initialize(dealii::MappingQ<dim>(2), mesh.triangulation());
+      return mapping;
+    }
+
+
+
     /// a = b, owned entries.
     void
     copy(Vector &a, const Vector &b)
@@ -44,15 +58,15 @@ namespace Thalweg
     , forces(forces)
     , conditions(conditions)
     , second_order(parameters.order == "second order")
-    , mapping(2)
+    , mapping(curved_mapping(mesh))
     , velocity_space(
         std::make_unique<LagrangeSpace<dim>>(mesh,
                                              parameters.velocity_degree,
-                                             mapping))
+                                             *mapping))
     , pressure_space(
         std::make_unique<LagrangeSpace<dim>>(mesh,
                                              parameters.pressure_degree,
-                                             mapping))
+                                             *mapping))
     , boundary(std::make_unique<FlowBoundary<dim>>(*velocity_space,
                                                    *pressure_space,
                                                    conditions))
@@ -73,7 +87,7 @@ namespace Thalweg
                                                 *boundary,
                                                 fluid.viscosity /
                                                   fluid.density))
-    , view{mapping,
+    , view{*mapping,
            velocity_space->velocity(),
            pressure_space->scalar(),
            begin_velocity,

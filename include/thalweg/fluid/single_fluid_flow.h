@@ -7,7 +7,7 @@
 #include <thalweg/fluid/single_fluid_flow_parameters.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping_q_cache.h>
 
 #include <memory>
 
@@ -140,19 +140,19 @@ namespace Thalweg
     void
     find_pressure_gradients();
 
-    Context                               &context;
-    const SingleFluidFlowParameters<dim>  &parameters;
-    const Fluid                            fluid;
-    const BodyForces<dim>                 &forces;
-    BoundaryConditions<dim>               &conditions;
-    const bool                             second_order;
-    const dealii::MappingQ<dim>            mapping;
-    std::unique_ptr<LagrangeSpace<dim>>    velocity_space;
-    std::unique_ptr<LagrangeSpace<dim>>    pressure_space;
-    std::unique_ptr<FlowBoundary<dim>>     boundary;
-    std::unique_ptr<FlowOperators<dim>>    operators;
-    std::unique_ptr<IncrementalStep<dim>>  step;
-    std::unique_ptr<BoundaryReaction<dim>> boundary_reaction;
+    Context                                    &context;
+    const SingleFluidFlowParameters<dim>       &parameters;
+    const Fluid                                 fluid;
+    const BodyForces<dim>                      &forces;
+    BoundaryConditions<dim>                    &conditions;
+    const bool                                  second_order;
+    std::unique_ptr<dealii::MappingQCache<dim>> mapping;
+    std::unique_ptr<LagrangeSpace<dim>>         velocity_space;
+    std::unique_ptr<LagrangeSpace<dim>>         pressure_space;
+    std::unique_ptr<FlowBoundary<dim>>          boundary;
+    std::unique_ptr<FlowOperators<dim>>         operators;
+    std::unique_ptr<IncrementalStep<dim>>       step;
+    std::unique_ptr<BoundaryReaction<dim>>      boundary_reaction;
 
     double time = 0., dt = 0., old_dt = 0.;
     /// Whether the fields at the end of the step were solved for.

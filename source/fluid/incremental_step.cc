@@ -245,6 +245,7 @@ namespace Thalweg
 
     divergence = 0.;
     operators.add_divergence(velocity, divergence, 1.);
+    P.fold(divergence, 1);
     pressure_load = divergence;
     if (is_stabilized)
       {
@@ -255,9 +256,8 @@ namespace Thalweg
           pressure_load,
           1.,
           tau.data());
+        P.fold(pressure_load, 1);
       }
-    P.fold(pressure_load, 1);
-    P.fold(divergence, 1);
     const SolveReport report =
       poisson.solve(increment,
                     pressure_load,

@@ -67,8 +67,9 @@ namespace Thalweg
   void
   FlowBoundary<dim>::collect_velocity(const LagrangeSpace<dim> &space)
   {
-    std::map<unsigned int, NodeDemand<dim>>        demands;
-    std::map<unsigned int, dealii::Tensor<1, dim>> sums;
+    using Place = std::pair<unsigned int, dealii::types::boundary_id>;
+    std::map<unsigned int, NodeDemand<dim>> demands;
+    std::map<Place, dealii::Tensor<1, dim>> sums;
     for_each_boundary_node(space,
                            [&](const dealii::types::boundary_id id,
                                const unsigned int               node,
@@ -78,14 +79,14 @@ namespace Thalweg
                              demands[node].add(id,
                                                conditions_.at(id).kind,
                                                normal);
-                             sums[node] += normal;
+                             sums[{node, id}] += normal;
                            });
     for (const auto &[node, demand] : demands)
       if (node < space.n_owned_nodes() && !space.is_dependent(node) &&
           demand.kind != BoundaryKind::open)
         {
           fixed_nodes.add(node, demand);
-          normals.push_back(sums[node]);
+          normals.push_back(sums[{node, demand.boundary}]);
         }
   }
 

@@ -87,7 +87,8 @@ namespace Thalweg
 
     const BoundaryConditions<dim> &conditions_;
     FixedNodes<dim>                fixed_nodes;
-    /// Mean outward normals at fixed_nodes.all().
+    /// Outward normals at fixed_nodes.all() of the boundary whose condition
+    /// holds there: what a lid slides along does not count at its corners.
     std::vector<dealii::Tensor<1, dim>> normals;
     std::vector<OpenNode>               open;
   };

@@ -6,6 +6,26 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// The lines of @p constraints that are for @p indices.
+    dealii::AffineConstraints<double>
+    lines_for(const dealii::AffineConstraints<double> &constraints,
+              const dealii::IndexSet                  &indices)
+    {
+      dealii::AffineConstraints<double> lines(indices);
+      for (const auto &line : constraints.get_lines())
+        if (indices.is_element(line.index))
+          {
+            lines.add_line(line.index);
+            lines.add_entries(line.index, line.entries);
+          }
+      return lines;
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   make_continuity(const Mesh<dim>                   &mesh,
@@ -20,11 +40,31 @@ namespace Thalweg
     for (const auto &pair : mesh.periodic_pairs())
       dealii::DoFTools::make_periodicity_constraints(
         dofs, pair.first, pair.second, pair.direction, constraints);
+
     // A ghost cell's hanging node may have its masters in a cell that is
-    // unknown here.
-    constraints.make_consistent_in_parallel(dofs.locally_owned_dofs(),
-                                            relevant,
-                                            dofs.get_communicator());
+    // unknown here, and these may depend on others in turn, behind a periodic
+    // boundary: all must be known to resolve the chain.
+    const MPI_Comm   communicator = dofs.get_communicator();
+    dealii::IndexSet known        = relevant;
+    for (bool complete = false; !complete;)
+      {
+        constraints.make_consistent_in_parallel(dofs.locally_owned_dofs(),
+                                                known,
+                                                communicator);
+        const auto n_known = known.n_elements();
+        std::vector<dealii::types::global_dof_index> masters;
+        for (const auto &line : constraints.get_lines())
+          for (const auto &entry : line.entries)
+            masters.push_back(entry.first);
+        std::sort(masters.begin(), masters.end());
+        known.add_indices(masters.begin(), masters.end());
+        complete = dealii::Utilities::MPI::max(known.n_elements() - n_known,
+                                               communicator) == 0;
+        if (!complete)
+          constraints.copy_from(lines_for(constraints, known));
+      }
+    constraints.close();
+    constraints.copy_from(lines_for(constraints, relevant));
     constraints.close();
   }
 

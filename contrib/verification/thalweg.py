@@ -94,8 +94,8 @@ def read_rows(path):
 
 
 def column(rows, name):
-    """One column as numbers."""
-    return [float(row[name]) for row in rows]
+    """One column as numbers, not-a-number where it is empty."""
+    return [float(row[name] or "nan") for row in rows]
 
 
 def steps_and_courant(output):

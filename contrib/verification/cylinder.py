@@ -1,0 +1,103 @@
+"""The cylinder in a channel against Schaefer and Turek (1996)."""
+
+from single_fluid import METHOD, SPACES
+from thalweg import (REFERENCE, column, finished, read_rows,
+                     steps_and_courant)
+
+# The global levels of three meshes.
+MESHES = (1, 2, 3)
+COURANT = (1., 3., 10.)
+COURANT_OF_MESH = 5.
+
+
+def intervals(case):
+    """quantity: (lower, upper) of the published intervals."""
+    return {r["quantity"]: (float(r["lower_1996"]), float(r["upper_1996"]))
+            for r in read_rows(REFERENCE / "cylinder_schaefer_turek.csv")
+            if r["case"] == case}
+
+
+def pressure_difference(row):
+    """That of the two probes in Pa."""
+    return float(row["pressure 0 [Pa]"]) - float(row["pressure 1 [Pa]"])
+
+
+def steady(output):
+    """(c_D, c_L, pressure difference) at the end, by the residual."""
+    last = read_rows(output / "body_forces.csv")[-1]
+    return (float(last["residual c_D"]), float(last["residual c_L"]),
+            pressure_difference(read_rows(output / "point_probes.csv")[-1]))
+
+
+def periodic(output):
+    """(largest c_D, largest c_L, Strouhal number, pressure difference half a
+    period after the last maximum of the lift but one), by the residual."""
+    row = read_rows(output / "body_forces_summary.csv")[-1]
+    strouhal = float(row["Strouhal number by zero crossings"] or "nan")
+    forces = read_rows(output / "body_forces.csv")
+    t, lift = column(forces, "time [s]"), column(forces, "residual c_L")
+    period = .1 / strouhal
+    window = [i for i in range(len(t)) if t[-1] - 2 * period < t[i]
+              <= t[-1] - period]
+    top = t[max(window, key=lift.__getitem__)]
+    probes = read_rows(output / "point_probes.csv")
+    nearest = min(probes, key=lambda r: abs(
+        float(r["time [s]"]) - top - period / 2))
+    return (float(row["residual c_D maximum"]),
+            float(row["residual c_L maximum"]), strouhal,
+            pressure_difference(nearest))
+
+
+# Steady flow does not ask for second order in time.
+STEADY = {METHOD + "Viscous theta": 1, METHOD + "Splitting iterations": 3}
+CASES = {
+    "2D-1": ("cylinder_2d_1", steady, ("c_D", "c_L", "delta_p"), STEADY),
+    "2D-2": ("cylinder_2d_2", periodic,
+             ("c_D_max", "c_L_max", "St", "delta_p"), {}),
+}
+
+
+def study(runner, report, name, reduced):
+    """Three meshes, and three Courant numbers on the one in the middle."""
+    case, evaluate, quantities, settings = CASES[name]
+    pairs = [(m, COURANT_OF_MESH) for m in MESHES]
+    pairs += [(MESHES[-1], c) for c in COURANT]
+    if reduced:
+        pairs = [(2, COURANT_OF_MESH)]
+    runs = {(m, c): runner.start(
+        case, f"{case}_{m}_{c:g}",
+        {**SPACES["Q1-Q1"], **settings, "Refinement/Global levels": m,
+         "Time/Courant number": c,
+         "Postprocess/Models": "body forces, point probes"}, 3600)
+        for m, c in pairs}
+    wanted = intervals(name)
+    rows = []
+    for (m, c), output in finished(report, runs):
+        values = evaluate(output)
+        n_steps, _ = steps_and_courant(output)
+        cells = read_rows(output / "statistics.csv")[-1]["cells"]
+        rows.append([cells, c, n_steps, *values, output.cpu_time])
+        if m == MESHES[-1] and c == COURANT_OF_MESH:
+            for quantity, value in zip(quantities, values):
+                report.within(f"cylinder {name}, {cells} cells: "
+                              f"{quantity}", value, *wanted[quantity])
+            report.limit(f"cylinder {name}, {cells} cells: the CPU "
+                         "time", output.cpu_time, 600)
+        if reduced:
+            report.within(f"cylinder {name} on a coarse mesh: c_D", values[0],
+                          .9 * wanted[quantities[0]][0],
+                          1.1 * wanted[quantities[0]][1])
+    for limit, which in (("lower limit", 0), ("upper limit", 1)):
+        rows.append(["Schaefer and Turek, " + limit, "", "",
+                     *(wanted[q][which] for q in quantities), ""])
+    report.table("cylinder_" + name.lower().replace("-", "_"),
+                 f"Cylinder in a channel, {name}",
+                 ["cells", "Courant number", "steps",
+                  *quantities, "CPU s"], rows)
+
+
+def verify(runner, report, reduced):
+    """Steady flow at Re 20, periodic flow at Re 100."""
+    study(runner, report, "2D-1", reduced)
+    if not reduced:
+        study(runner, report, "2D-2", reduced)

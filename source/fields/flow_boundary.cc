@@ -86,6 +86,8 @@ namespace Thalweg
           demand.kind != BoundaryKind::open)
         {
           fixed_nodes.add(node, demand);
+          if (demand.kind == BoundaryKind::slip)
+            slip_nodes.add(node, demand);
           normals.push_back(sums[{node, demand.boundary}]);
         }
   }

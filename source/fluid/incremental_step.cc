@@ -33,6 +33,9 @@ namespace Thalweg
     , parameters(parameters)
     , nu(kinematic_viscosity)
     , mass(operators.mass, dim)
+    , slip_mass(operators.mass,
+                dim,
+                [&boundary](Vector &field) { boundary.project_slip(field); })
     , fixed_mass(operators.mass, dim, projector(boundary))
     , pressure_mass(operators.pressure_mass, 1)
     , poisson(operators, boundary)
@@ -56,7 +59,7 @@ namespace Thalweg
     operators.stiffness.add_product(velocity, load, dim, -nu);
     operators.add_boundary_gradient(velocity, load, nu);
     operators.velocity_space.fold(load, dim);
-    solve(mass, g, "viscous acceleration");
+    solve(slip_mass, g, "viscous acceleration");
   }
 
 

@@ -36,6 +36,13 @@ namespace Thalweg
       fixed_nodes.project(velocity);
     }
 
+    /// Removes the normal components at slip walls. Owned entries only.
+    void
+    project_slip(Vector &velocity) const
+    {
+      slip_nodes.project(velocity);
+    }
+
     /**
      * @brief Removes from a field of material accelerations what walls do
      * not admit: all components at walls where the fluid sticks (moving ones
@@ -87,6 +94,8 @@ namespace Thalweg
 
     const BoundaryConditions<dim> &conditions_;
     FixedNodes<dim>                fixed_nodes;
+    /// Those of them with some free directions.
+    FixedNodes<dim> slip_nodes;
     /// Outward normals at fixed_nodes.all() of the boundary whose condition
     /// holds there: what a lid slides along does not count at its corners.
     std::vector<dealii::Tensor<1, dim>> normals;

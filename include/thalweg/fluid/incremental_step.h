@@ -32,7 +32,8 @@ namespace Thalweg
                     const IncrementalStepParameters  &parameters,
                     const double                      kinematic_viscosity);
 
-    /// g: M g = -nu K V + boundary terms (Eq. 78), m/s^2.
+    /// g: M g = -nu K V + boundary terms (Eq. 78), m/s^2. At slip walls, which
+    /// have no such terms, its normal component is zero, as on flat ones.
     void
     viscous_acceleration(const Vector &velocity, Vector &g);
 
@@ -135,6 +136,7 @@ namespace Thalweg
     const double                      nu;
 
     OperatorSolver<dim>                  mass;       ///< nothing is fixed
+    OperatorSolver<dim>                  slip_mass;  ///< normals at slip walls
     OperatorSolver<dim>                  fixed_mass; ///< with fixed nodes
     OperatorSolver<dim>                  pressure_mass;
     PressurePoisson<dim>                 poisson;

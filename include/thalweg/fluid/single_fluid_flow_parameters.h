@@ -17,7 +17,7 @@ namespace Thalweg
     double viscous_theta = 1.;
     /// gamma of Eq. 70: 1 or 0.
     unsigned int pressure_gamma        = 1;
-    unsigned int iterations            = 1;
+    unsigned int iterations            = 2;
     bool         rotational            = false;
     double       pressure_tolerance    = 1e-6;
     double       velocity_tolerance    = 1e-8;

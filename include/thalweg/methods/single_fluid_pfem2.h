@@ -59,7 +59,7 @@ namespace Thalweg
     n_passes() const;
 
     unsigned int                    corrector_iterations = 0;
-    unsigned int                    first_corrections    = 1;
+    unsigned int                    first_corrections    = 2;
     double                          blend                = 0.;
     SingleFluidFlowParameters<dim>  flow_parameters;
     Choice<VelocityProjection<dim>> projection;

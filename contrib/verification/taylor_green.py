@@ -123,7 +123,7 @@ def against_courant(runner, report):
 
 def beltrami(runner, report, reduced):
     """Ethier and Steinman's flow: an exact solution in 3D."""
-    meshes = (4, 8) if reduced else (4, 8, 16)
+    meshes = (6, 12) if reduced else (4, 8, 16)
     runs = {(space, n): runner.start(
         "beltrami_3d", f"beltrami_{space}_{n}",
         {**SPACES[space], **steps(max(2, n // 2), .2),

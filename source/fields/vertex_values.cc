@@ -18,39 +18,41 @@ namespace Thalweg
 
 
 
-  template <int dim>
+  template <int dim, typename VertexSpace>
   void
   copy_to_vertices(const LagrangeSpace<dim> &space,
                    const Vector             &source,
-                   const NodeSpace<dim>     &nodes,
+                   const VertexSpace        &vertices,
                    Vector                   &destination,
                    const unsigned int        n_components)
   {
     destination.zero_out_ghost_values();
     const unsigned int n_owned =
       destination.locally_owned_size() / n_components;
-    for (unsigned int c = 0; c < nodes.mesh().graph().n_cells(); ++c)
+    for (unsigned int c = 0; c < vertices.mesh().graph().n_cells(); ++c)
       for (unsigned int v = 0; v < (1u << dim); ++v)
         {
-          const unsigned int to   = nodes.nodes(c)[v];
+          const unsigned int to   = vertices.nodes(c)[v];
           const unsigned int from = space.nodes(c)[corner(space, v)];
           if (to < n_owned)
             for (unsigned int i = 0; i < n_components; ++i)
               destination.local_element(n_components * to + i) =
                 source.local_element(n_components * from + i);
         }
-    nodes.interpolate(destination, n_components);
+    vertices.interpolate(destination, n_components);
   }
 
 
 
-#define INSTANTIATE(dim)                                          \
+#define INSTANTIATE(dim, VertexSpace)                             \
   template void copy_to_vertices<dim>(const LagrangeSpace<dim> &, \
                                       const Vector &,             \
-                                      const NodeSpace<dim> &,     \
+                                      const VertexSpace<dim> &,   \
                                       Vector &,                   \
                                       const unsigned int);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
+  INSTANTIATE(2, NodeSpace)
+  INSTANTIATE(3, NodeSpace)
+  INSTANTIATE(2, LagrangeSpace)
+  INSTANTIATE(3, LagrangeSpace)
 #undef INSTANTIATE
 } // namespace Thalweg

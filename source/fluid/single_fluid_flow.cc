@@ -1,4 +1,5 @@
 #include <thalweg/fields/interpolation.h>
+#include <thalweg/fields/owned_values.h>
 #include <thalweg/fluid/single_fluid_flow.h>
 
 #include <deal.II/fe/mapping_q.h>
@@ -15,30 +16,6 @@ namespace Thalweg
       auto mapping = std::make_unique<dealii::MappingQCache<dim>>(2);
       mapping->initialize(dealii::MappingQ<dim>(2), mesh.triangulation());
       return mapping;
-    }
-
-
-
-    /// a = b, owned entries.
-    void
-    copy(Vector &a, const Vector &b)
-    {
-      a.zero_out_ghost_values();
-      a.copy_locally_owned_data_from(b);
-    }
-
-
-
-    /// result = new + (new - old) ratio, owned entries.
-    void
-    extrapolate(const Vector &new_value,
-                const Vector &old_value,
-                const double  ratio,
-                Vector       &result)
-    {
-      copy(result, new_value);
-      result.add(ratio, new_value);
-      result.add(-ratio, old_value);
     }
   } // namespace
 
@@ -112,10 +89,10 @@ namespace Thalweg
                            &force,
                            &reaction})
       velocity_space->initialize(*vector, dim);
-    for (Vector *vector : {&old_begin_pressure,
-                           &begin_pressure,
-                           &end_pressure,
-                           &old_pressure,
+    make_explicit_space();
+    for (Vector *vector : {&old_begin_pressure, &begin_pressure, &end_pressure})
+      explicit_space->initialize(*vector, 1);
+    for (Vector *vector : {&old_pressure,
                            &pressure,
                            &new_pressure,
                            &pressure_rate,
@@ -175,65 +152,6 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidFlow<dim>::find_pressure(const Vector &velocity,
-                                      const Vector &g,
-                                      const double  at,
-                                      Vector       &result)
-  {
-    // dV_D/dt by a difference that no expression notices.
-    const double tick = 1e-3 * dt;
-    force.zero_out_ghost_values();
-    force = 0.;
-    conditions.set_time(at - tick);
-    boundary->apply(force);
-    boundary_acceleration.zero_out_ghost_values();
-    boundary_acceleration = 0.;
-    conditions.set_time(at + tick);
-    boundary->apply(boundary_acceleration);
-    boundary_acceleration.add(-1., force);
-    boundary_acceleration *= .5 / tick;
-    velocity_space->interpolate(boundary_acceleration, dim);
-
-    copy(force, body_force);
-    force.add(1., g);
-    velocity_space->interpolate(force, dim);
-    conditions.set_time(at);
-    result.zero_out_ghost_values();
-    boundary->apply_open(result, 1. / fluid.density);
-    pressure_space->interpolate(result, 1);
-    step->find_pressure(velocity, force, boundary_acceleration, result);
-    conditions.set_time(time + dt);
-  }
-
-
-
-  template <int dim>
-  void
-  SingleFluidFlow<dim>::guess_pressures()
-  {
-    if (is_consistent())
-      {
-        copy(old_begin_pressure, begin_pressure);
-        find_pressure(begin_velocity, viscous, time, begin_pressure);
-        copy(end_pressure, begin_pressure);
-        if (old_dt > 0. && second_order)
-          extrapolate(begin_pressure,
-                      old_begin_pressure,
-                      dt / old_dt,
-                      end_pressure);
-      }
-    else
-      {
-        copy(pressure, old_pressure);
-        if (old_dt > 0. && second_order)
-          pressure.add(.5 * (dt + old_dt), pressure_rate);
-      }
-  }
-
-
-
-  template <int dim>
-  void
   SingleFluidFlow<dim>::start_step(const double time_, const double dt_)
   {
     time = time_;
@@ -242,53 +160,16 @@ namespace Thalweg
     find_body_force();
     find_viscous(begin_velocity, viscous, begin_viscous);
     if (old_dt > 0. && second_order)
-      extrapolate(begin_velocity, old_velocity, dt / old_dt, end_velocity);
+      extrapolate_owned(begin_velocity,
+                        old_velocity,
+                        dt / old_dt,
+                        end_velocity);
     else
-      copy(end_velocity, begin_velocity);
+      copy_owned(end_velocity, begin_velocity);
     boundary->apply(end_velocity);
     velocity_space->interpolate(end_velocity, dim);
     guess_pressures();
     has_solution = false;
-  }
-
-
-
-  template <int dim>
-  void
-  SingleFluidFlow<dim>::find_pressure_gradients()
-  {
-    if (is_consistent())
-      {
-        if (has_solution)
-          find_pressure(end_velocity, end_viscous, time + dt, end_pressure);
-        copy(pressure, begin_pressure);
-        pressure.add(1., end_pressure);
-        pressure *= .5;
-      }
-    else
-      {
-        if (parameters.step.pressure_gamma == 0)
-          {
-            pressure      = 0.;
-            pressure_rate = 0.;
-          }
-        copy(begin_pressure, pressure);
-        copy(end_pressure, pressure);
-        begin_pressure.add(-.5 * dt, pressure_rate);
-        end_pressure.add(.5 * dt, pressure_rate);
-      }
-    for (Vector *p : {&pressure, &begin_pressure, &end_pressure})
-      {
-        if (parameters.step.pressure_gamma == 1)
-          boundary->apply_open(*p, 1. / fluid.density);
-        pressure_space->interpolate(*p, 1);
-      }
-    step->pressure_acceleration(begin_pressure, begin_gradient); // (79)
-    step->pressure_acceleration(end_pressure, end_gradient);
-    copy(pressure_gradient, begin_gradient);
-    pressure_gradient.add(1., end_gradient);
-    pressure_gradient *= .5;
-    velocity_space->interpolate(pressure_gradient, dim);
   }
 
 
@@ -303,8 +184,8 @@ namespace Thalweg
     if (second_order)
       find_viscous(end_velocity, end_viscous, end_smooth);
     find_pressure_gradients();
-    copy(begin, body_force);
-    copy(end, body_force);
+    copy_owned(begin, body_force);
+    copy_owned(end, body_force);
     begin.add(-1., begin_gradient);
     end.add(-1., end_gradient);
     at_start.zero_out_ghost_values();
@@ -334,7 +215,7 @@ namespace Thalweg
   void
   SingleFluidFlow<dim>::solve(const Vector &velocity_star)
   {
-    copy(force, body_force);
+    copy_owned(force, body_force);
     force.add(1., viscous);
     velocity_space->interpolate(force, dim);
     step->solve(velocity_star,
@@ -349,11 +230,11 @@ namespace Thalweg
     // What a repetition of the step, or the next one, knows.
     if (second_order && old_dt > 0.)
       {
-        copy(pressure_rate, new_pressure);
+        copy_owned(pressure_rate, new_pressure);
         pressure_rate.add(-1., old_pressure);
         pressure_rate *= 2. / (dt + old_dt);
       }
-    copy(pressure, new_pressure);
+    copy_owned(pressure, new_pressure);
   }
 
 
@@ -369,11 +250,11 @@ namespace Thalweg
                             dt,
                             fluid.density,
                             reaction);
-    copy(old_velocity, begin_velocity);
-    copy(begin_velocity, end_velocity);
+    copy_owned(old_velocity, begin_velocity);
+    copy_owned(begin_velocity, end_velocity);
     velocity_space->interpolate(begin_velocity, dim);
-    copy(old_pressure, new_pressure);
-    copy(physical_pressure, new_pressure);
+    copy_owned(old_pressure, new_pressure);
+    copy_owned(physical_pressure, new_pressure);
     physical_pressure *= fluid.density;
     pressure_space->interpolate(physical_pressure, 1);
     view.pressure_time = time + .5 * dt;

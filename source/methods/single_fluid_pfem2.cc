@@ -126,36 +126,20 @@ namespace Thalweg
   void
   SingleFluidPfem2<dim>::move_particles(const double dt)
   {
-    auto &[context,
-           mesh,
-           space,
-           fluids,
-           forces,
-           conditions,
-           boundary,
-           population,
-           convection,
-           control,
-           projection_q1,
-           phase,
-           flow_q1,
-           paths,
-           initial_velocity] = *parts;
-
     const LagrangeSpace<dim> &nodes = flow->space();
     nodes.copy_to_cells(flow->velocity(), path.begin_velocity);
     nodes.copy_to_cells(flow->convecting_velocity_at_end(), path.end_velocity);
     nodes.copy_to_cells(begin_acceleration, path.begin_acceleration);
     nodes.copy_to_cells(end_acceleration, path.end_acceleration);
     {
-      dealii::TimerOutput::Scope scope(context.timers, "convection");
-      add_field(population, nodes, acceleration_at_start, dt);
-      report = paths.move(population, path, dt);
+      dealii::TimerOutput::Scope scope(parts->context.timers, "convection");
+      add_field(parts->population, nodes, acceleration_at_start, dt);
+      report = parts->paths.move(parts->population, path, dt);
     }
-    dealii::TimerOutput::Scope scope(context.timers, "population");
-    n_added = control.fill_empty_cells(
-      population, [&](const auto &cells, const auto &points) {
-        return paths.trace_back(cells, points, path, dt);
+    dealii::TimerOutput::Scope scope(parts->context.timers, "population");
+    n_added = parts->control.fill_empty_cells(
+      parts->population, [&](const auto &cells, const auto &points) {
+        return parts->paths.trace_back(cells, points, path, dt);
       });
   }
 

@@ -249,7 +249,7 @@ TEST(SingleFluid, WaterAtRestStaysAtRest)
 TEST(SingleFluid, ElementsOfDegreeTwoFollowVortices)
 {
   for (const auto &[pressure, bound] :
-       {std::make_pair("Pressure degree = 1", .05),
+       {std::make_pair("Pressure degree = 1", .02),
         std::make_pair("Pressure degree = 2", .01)})
     {
       const RunCase<2> run(

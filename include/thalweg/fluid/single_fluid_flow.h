@@ -132,6 +132,11 @@ namespace Thalweg
                   const double  at,
                   Vector       &pressure);
 
+    /// Spaces and operators for explicit pressures of the velocity's degree,
+    /// whose gradients are as good as the velocity.
+    void
+    make_explicit_space();
+
     /// The explicit pressures before anything of the step is known.
     void
     guess_pressures();
@@ -153,6 +158,14 @@ namespace Thalweg
     std::unique_ptr<FlowOperators<dim>>         operators;
     std::unique_ptr<IncrementalStep<dim>>       step;
     std::unique_ptr<BoundaryReaction<dim>>      boundary_reaction;
+    /// For explicit pressures; own ones only where the degrees differ.
+    const LagrangeSpace<dim>             *explicit_space;
+    const FlowBoundary<dim>              *explicit_boundary;
+    IncrementalStep<dim>                 *explicit_step;
+    std::unique_ptr<LagrangeSpace<dim>>   own_explicit_space;
+    std::unique_ptr<FlowBoundary<dim>>    own_explicit_boundary;
+    std::unique_ptr<FlowOperators<dim>>   own_explicit_operators;
+    std::unique_ptr<IncrementalStep<dim>> own_explicit_step;
 
     double time = 0., dt = 0., old_dt = 0.;
     /// Whether the fields at the end of the step were solved for.

@@ -1,0 +1,165 @@
+// The explicit pressures of SingleFluidFlow; its steps are in
+// single_fluid_flow.cc.
+#include <thalweg/fields/owned_values.h>
+#include <thalweg/fields/vertex_values.h>
+#include <thalweg/fluid/single_fluid_flow.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::make_explicit_space()
+  {
+    explicit_space    = pressure_space.get();
+    explicit_boundary = boundary.get();
+    explicit_step     = step.get();
+    if (!is_consistent() ||
+        parameters.pressure_degree == parameters.velocity_degree)
+      return;
+    own_explicit_space =
+      std::make_unique<LagrangeSpace<dim>>(velocity_space->mesh(),
+                                           parameters.velocity_degree,
+                                           *mapping);
+    own_explicit_boundary =
+      std::make_unique<FlowBoundary<dim>>(*velocity_space,
+                                          *own_explicit_space,
+                                          conditions);
+    own_explicit_operators =
+      std::make_unique<FlowOperators<dim>>(*velocity_space,
+                                           *own_explicit_space,
+                                           *own_explicit_boundary,
+                                           parameters.mass == "lumped");
+    own_explicit_step =
+      std::make_unique<IncrementalStep<dim>>(context,
+                                             *own_explicit_operators,
+                                             *own_explicit_boundary,
+                                             *parameters.stabilization,
+                                             parameters.step,
+                                             fluid.viscosity / fluid.density);
+    explicit_space    = own_explicit_space.get();
+    explicit_boundary = own_explicit_boundary.get();
+    explicit_step     = own_explicit_step.get();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_pressure(const Vector &velocity,
+                                      const Vector &g,
+                                      const double  at,
+                                      Vector       &result)
+  {
+    // dV_D/dt by a difference that no expression notices.
+    const double tick = 1e-3 * dt;
+    force.zero_out_ghost_values();
+    force = 0.;
+    conditions.set_time(at - tick);
+    boundary->apply(force);
+    boundary_acceleration.zero_out_ghost_values();
+    boundary_acceleration = 0.;
+    conditions.set_time(at + tick);
+    boundary->apply(boundary_acceleration);
+    boundary_acceleration.add(-1., force);
+    boundary_acceleration *= .5 / tick;
+    velocity_space->interpolate(boundary_acceleration, dim);
+
+    copy_owned(force, body_force);
+    force.add(1., g);
+    velocity_space->interpolate(force, dim);
+    conditions.set_time(at);
+    result.zero_out_ghost_values();
+    explicit_boundary->apply_open(result, 1. / fluid.density);
+    explicit_space->interpolate(result, 1);
+    explicit_step->find_pressure(velocity,
+                                 force,
+                                 boundary_acceleration,
+                                 result);
+    conditions.set_time(time + dt);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::guess_pressures()
+  {
+    if (is_consistent())
+      {
+        copy_owned(old_begin_pressure, begin_pressure);
+        find_pressure(begin_velocity, viscous, time, begin_pressure);
+        copy_owned(end_pressure, begin_pressure);
+        if (old_dt > 0. && second_order)
+          extrapolate_owned(begin_pressure,
+                            old_begin_pressure,
+                            dt / old_dt,
+                            end_pressure);
+      }
+    else
+      {
+        copy_owned(pressure, old_pressure);
+        if (old_dt > 0. && second_order)
+          pressure.add(.5 * (dt + old_dt), pressure_rate);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::find_pressure_gradients()
+  {
+    if (is_consistent() && has_solution)
+      find_pressure(end_velocity, end_viscous, time + dt, end_pressure);
+    if (!is_consistent())
+      {
+        if (parameters.step.pressure_gamma == 0)
+          {
+            pressure      = 0.;
+            pressure_rate = 0.;
+          }
+        copy_owned(begin_pressure, pressure);
+        copy_owned(end_pressure, pressure);
+        begin_pressure.add(-.5 * dt, pressure_rate);
+        end_pressure.add(.5 * dt, pressure_rate);
+      }
+    for (Vector *p : {&begin_pressure, &end_pressure})
+      {
+        if (parameters.step.pressure_gamma == 1)
+          explicit_boundary->apply_open(*p, 1. / fluid.density);
+        explicit_space->interpolate(*p, 1);
+      }
+    explicit_step->pressure_acceleration(begin_pressure,
+                                         begin_gradient); // (79)
+    explicit_step->pressure_acceleration(end_pressure, end_gradient);
+    copy_owned(pressure_gradient, begin_gradient);
+    pressure_gradient.add(1., end_gradient);
+    pressure_gradient *= .5;
+    velocity_space->interpolate(pressure_gradient, dim);
+
+    Vector mean = begin_pressure;
+    mean.add(1., end_pressure);
+    mean *= .5;
+    explicit_space->interpolate(mean, 1);
+    if (explicit_space == pressure_space.get())
+      copy_owned(pressure, mean);
+    else
+      copy_to_vertices(*explicit_space, mean, *pressure_space, pressure, 1);
+    pressure_space->interpolate(pressure, 1);
+  }
+
+
+
+  template void
+  SingleFluidFlow<2>::make_explicit_space();
+  template void
+  SingleFluidFlow<3>::make_explicit_space();
+  template void
+  SingleFluidFlow<2>::guess_pressures();
+  template void
+  SingleFluidFlow<3>::guess_pressures();
+  template void
+  SingleFluidFlow<2>::find_pressure_gradients();
+  template void
+  SingleFluidFlow<3>::find_pressure_gradients();
+} // namespace Thalweg

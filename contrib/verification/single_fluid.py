@@ -8,7 +8,7 @@ METHOD = "Method/single fluid pfem2/"
 
 def spaces(velocity, pressure, per_direction):
     """Settings of the spaces and of as many particles as they need."""
-    settings = {
+    return {
         METHOD + "Velocity degree": velocity,
         METHOD + "Pressure degree": pressure,
         METHOD + "Stabilization/Model":
@@ -16,9 +16,6 @@ def spaces(velocity, pressure, per_direction):
         "Particles/Particles per direction": per_direction,
         "Particles/Minimum per cell": per_direction ** 2 * 2 // 3,
         "Particles/Maximum per cell": per_direction ** 2 * 2}
-    if velocity == 2:
-        settings[METHOD + "Projection/l2/Regularization"] = .1
-    return settings
 
 
 # name in tables: settings

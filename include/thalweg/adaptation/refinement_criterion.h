@@ -1,0 +1,85 @@
+#ifndef thalweg_adaptation_refinement_criterion_h
+#define thalweg_adaptation_refinement_criterion_h
+
+#include <thalweg/core/registry.h>
+#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/postprocess/solution_view.h>
+
+#include <vector>
+
+namespace Thalweg
+{
+  /// Between which levels the mesh adapts; the coarse mesh is level 0.
+  struct LevelRange
+  {
+    unsigned int minimum = 0;
+    unsigned int maximum = 0;
+  };
+
+  /// What criteria want of the mesh: an entry for each locally owned cell, in
+  /// the order of the CellGraph.
+  struct CellWishes
+  {
+    static constexpr unsigned char any_level = 255;
+
+    /// No wishes for @p n_cells cells.
+    explicit CellWishes(const unsigned int n_cells = 0)
+      : indicator(n_cells, 0.)
+      , at_least(n_cells, 0)
+      , at_most(n_cells, any_level)
+    {}
+
+    /// How much a smaller cell would help, not negative; 0: not at all.
+    std::vector<double> indicator;
+    /// The level below which a cell must not be.
+    std::vector<unsigned char> at_least;
+    /// The level above which it must not be, as far as nobody else wants it.
+    std::vector<unsigned char> at_most;
+  };
+
+  /**
+   * @brief Something that says where the mesh should be finer or coarser.
+   *
+   * A criterion that gives levels must agree with itself: the children of a
+   * cell that it wants to be finer may not all be allowed to become that cell
+   * again, or the mesh would change for ever.
+   */
+  template <int dim>
+  class RefinementCriterion
+  {
+  public:
+    virtual ~RefinementCriterion() = default;
+
+    virtual void
+    declare_parameters(const Section &section) = 0;
+
+    /// Checks the parameters; collective over the processes of the mesh.
+    /// @throws dealii::ExcMessage
+    virtual void
+    check(const RunOutline<dim> &, const LevelRange &) const
+    {}
+
+    /**
+     * @brief Looks at the solution. Collective.
+     * @param solution on the mesh that is going to change
+     * @param levels between which it may change
+     * @param time_ahead for how long the new mesh will have to do, in s
+     * @param wishes with no wishes in them yet
+     */
+    virtual void
+    evaluate(const SolutionView<dim> &solution,
+             const LevelRange        &levels,
+             const double             time_ahead,
+             CellWishes              &wishes) = 0;
+
+    /// Whether the mesh must adapt before a step of @p dt seconds, without
+    /// which the step would be wrong. Collective; the same on all processes.
+    virtual bool
+    is_violated(const SolutionView<dim> &, const LevelRange &, const double)
+    {
+      return false;
+    }
+  };
+} // namespace Thalweg
+
+#endif

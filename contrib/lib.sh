@@ -9,6 +9,7 @@ BUILD=${BUILD:-$ROOT/build}
 # What building, running and testing need, as Debian packages.
 PACKAGES=(
   libdeal.ii-dev libboost-program-options-dev libgtest-dev
+  nlohmann-json3-dev
   cmake ninja-build ccache g++ openmpi-bin python3
 )
 PLOT_PACKAGES=(python3 python3-numpy python3-matplotlib python3-vtk9)

@@ -3,6 +3,7 @@
 
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/state.h>
 #include <thalweg/postprocess/solution_view.h>
 
 namespace Thalweg
@@ -46,6 +47,18 @@ namespace Thalweg
     /// Called at the start and after every step. Collective.
     virtual void
     execute(Context &context, const SolutionView<dim> &solution) = 0;
+
+    /**
+     * @brief Names what must be known after execute() to go on in another
+     * process, or on another mesh: when the next row is due, the length of
+     * files, means over time.
+     *
+     * Called between two steps, and right after initialize() when a run is
+     * resumed.
+     */
+    virtual void
+    keep(const State<dim> &)
+    {}
   };
 } // namespace Thalweg
 

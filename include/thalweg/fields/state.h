@@ -1,0 +1,93 @@
+#ifndef thalweg_fields_state_h
+#define thalweg_fields_state_h
+
+#include <thalweg/core/archive.h>
+#include <thalweg/fields/lagrange_space.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /// A field that goes along when cells are refined, coarsened, given to
+  /// another rank, or saved.
+  template <int dim>
+  struct CarriedField
+  {
+    std::string               name;
+    const LagrangeSpace<dim> *space;
+    Vector                   *vector;
+    unsigned int              n_components; ///< 1 or dim
+  };
+
+  /**
+   * @brief What a part of a simulation keeps from one step to the next:
+   * values, and fields on the mesh.
+   *
+   * A part names them once, in one function, and with that is carried from
+   * mesh to mesh, restored after a failed step, saved and resumed:
+   *
+   * @code
+   * void Pfem2<dim>::keep(const State<dim> &state)
+   * {
+   *   state.values().value("flow time", flow_time);
+   *   state.field("level set", parts->space, level_set, 1);
+   * }
+   * @endcode
+   *
+   * On a new mesh parts are made anew first, with zero vectors in the new
+   * spaces; then the same function says where the fields go.
+   */
+  template <int dim>
+  class State
+  {
+  public:
+    explicit State(const Archive &values)
+      : archive(values)
+      , list(std::make_shared<std::vector<CarriedField<dim>>>())
+    {}
+
+    /// Values that are the same on all ranks.
+    const Archive &
+    values() const
+    {
+      return archive;
+    }
+
+    /// Names a field. Its vector is ghosted in the layout of @p space and
+    /// must stay where it is as long as this state is used.
+    void
+    field(const std::string        &name,
+          const LagrangeSpace<dim> &space,
+          Vector                   &vector,
+          const unsigned int        n_components) const
+    {
+      list->push_back({prefix + name, &space, &vector, n_components});
+    }
+
+    /// For the values and fields of a part that has this name.
+    State
+    enter(const std::string &name) const
+    {
+      State part(*this);
+      part.archive = archive.enter(name);
+      part.prefix += name + "/";
+      return part;
+    }
+
+    /// All fields that were named.
+    const std::vector<CarriedField<dim>> &
+    fields() const
+    {
+      return *list;
+    }
+
+  private:
+    Archive                                         archive;
+    std::shared_ptr<std::vector<CarriedField<dim>>> list;
+    std::string                                     prefix;
+  };
+} // namespace Thalweg
+
+#endif

@@ -3,20 +3,40 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
+#include <sstream>
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// Keeps the entries of @p row.
+    void
+    keep_row(const Archive &archive, std::map<std::string, double> &row)
+    {
+      std::vector<std::string> names;
+      std::vector<double>      values;
+      for (const auto &[name, value] : row)
+        {
+          names.push_back(name);
+          values.push_back(value);
+        }
+      archive.value("names", names);
+      archive.value("values", values);
+      row.clear();
+      for (std::size_t i = 0; i < names.size(); ++i)
+        row[names[i]] = values[i];
+    }
+  } // namespace
+
+
+
   void
-  Statistics::open(const std::string &path)
+  Statistics::open(const std::string &path, const bool resumed)
   {
     this->path = path;
-    std::ofstream file(path, std::ios::trunc);
-    AssertThrow(file,
-                dealii::ExcMessage("Cannot write the statistics to '" + path +
-                                   "'. Does the directory exist, may you "
-                                   "write there, and is the disk full?"));
+    if (!resumed)
+      file.create(path, "");
   }
 
 
@@ -85,27 +105,56 @@ namespace Thalweg
       }
     if (!path.empty())
       {
-        std::ofstream file(path, std::ios::app);
-        if (first_row)
-          {
-            for (std::size_t c = 0; c < columns.size(); ++c)
-              file << (c > 0 ? "," : "") << columns[c];
-            file << '\n';
-          }
-        file << std::setprecision(12);
+        if (!file.is_open())
+          file.create(path, "");
+        std::ostringstream text;
+        if (file.length() == 0)
+          text << header();
+        text << std::setprecision(12);
         for (std::size_t c = 0; c < n_columns_in_file; ++c)
           {
-            file << (c > 0 ? "," : "");
+            text << (c > 0 ? "," : "");
             if (const auto entry = row.find(columns[c]); entry != row.end())
-              file << entry->second;
+              text << entry->second;
           }
-        file << '\n';
-        AssertThrow(file.flush(),
-                    dealii::ExcMessage("Cannot write to '" + path +
-                                       "': is the disk full?"));
+        text << '\n';
+        file.append(text.str());
       }
     first_row = false;
     last_row  = row;
     row.clear();
+  }
+
+
+
+  std::string
+  Statistics::header() const
+  {
+    std::string text;
+    for (std::size_t c = 0; c < n_columns_in_file; ++c)
+      text += (c > 0 ? "," : "") + columns[c];
+    return text + '\n';
+  }
+
+
+
+  void
+  Statistics::keep(const Archive &archive, Log &log)
+  {
+    std::uint64_t length = file.length();
+    std::uint64_t n_written_columns(n_columns_in_file);
+    archive.value("length", length);
+    archive.value("columns", columns);
+    archive.value("columns in the file", n_written_columns);
+    archive.value("first row", first_row);
+    keep_row(archive.enter("row"), row);
+    keep_row(archive.enter("last row"), last_row);
+    n_columns_in_file = n_written_columns;
+    if (!archive.is_restoring() || path.empty())
+      return;
+    const std::string message =
+      file.reopen(path, first_row ? "" : header(), length);
+    if (!message.empty())
+      log.warning(message);
   }
 } // namespace Thalweg

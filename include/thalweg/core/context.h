@@ -34,6 +34,10 @@ namespace Thalweg
     Statistics          statistics;
     /// Where all files go; empty: no file is written.
     std::string output_directory;
+    /// Whether this run goes on from a checkpoint: files in the directory are
+    /// then kept, cut to what they were and continued. Set it before anything
+    /// is opened.
+    bool resumed = false;
   };
 } // namespace Thalweg
 

@@ -20,11 +20,12 @@ namespace Thalweg
     {}
 
     /// From now on writes to the file @p path too.
+    /// @param append whether what stands there remains
     void
-    open(const std::string &path)
+    open(const std::string &path, const bool append = false)
     {
       if (active)
-        file.open(path);
+        file.open(path, append ? std::ios::app : std::ios::trunc);
     }
 
     /// Writes a line.

@@ -1,6 +1,10 @@
 #ifndef thalweg_core_statistics_h
 #define thalweg_core_statistics_h
 
+#include <thalweg/core/archive.h>
+#include <thalweg/core/growing_file.h>
+#include <thalweg/core/log.h>
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -25,9 +29,10 @@ namespace Thalweg
     Statistics() = default;
 
     /// Writes to @p path from now on. Call it on the root process only.
+    /// @param resumed the file is left as it is, for keep() to go on with
     /// @throws dealii::ExcMessage if the file cannot be written
     void
-    open(const std::string &path);
+    open(const std::string &path, const bool resumed = false);
 
     /// Lets the table begin with these columns, as far as the first row has
     /// them. Call it before any value is set.
@@ -62,8 +67,25 @@ namespace Thalweg
     void
     end_row();
 
+    /**
+     * @brief Keeps columns and values and, on the process that writes, the
+     * length of the file.
+     *
+     * When restoring, after open(), rows that were written later vanish from
+     * the file. Is it shorter than it was, or not there, the table begins
+     * anew.
+     * @param log says so
+     * @throws dealii::ExcMessage if the file cannot be written
+     */
+    void
+    keep(const Archive &archive, Log &log);
+
   private:
+    std::string
+    header() const;
+
     std::string                   path;
+    GrowingFile                   file;
     std::vector<std::string>      columns;
     std::map<std::string, double> row;
     std::map<std::string, double> last_row;

@@ -54,10 +54,22 @@ namespace Thalweg
      * files, means over time.
      *
      * Called between two steps, and right after initialize() when a run is
-     * resumed.
+     * resumed; collective. When the mesh changes it is called on the old one,
+     * where the old vectors are named, and again after mesh_changed(), for
+     * the vectors that are to be filled.
      */
     virtual void
     keep(const State<dim> &)
+    {}
+
+    /**
+     * @brief Makes anew what belongs to a mesh, with zero vectors where
+     * keep() names some; what was known of the old mesh is no longer valid.
+     * Collective.
+     * @param solution on the new mesh; its fields may be zero still
+     */
+    virtual void
+    mesh_changed(const SolutionView<dim> &)
     {}
   };
 } // namespace Thalweg

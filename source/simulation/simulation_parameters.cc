@@ -29,6 +29,8 @@ namespace Thalweg
       method.declare_parameters(section, "pfem2", "algorithm");
     }
     mesh.declare(root);
+    adaptive.declare_parameters(root);
+    balance.declare_parameters(root);
     time.declare_parameters(root);
     fluids.declare_parameters(root);
     forces.declare_parameters(root);
@@ -120,6 +122,7 @@ namespace Thalweg
     collect([this]() { forces.check(); });
     collect([this]() { method->check(); });
     collect([this]() { population.check(); });
+    collect([this]() { balance.check(); });
     collect([this]() {
       parse_expression<dim>(mesh.local_refinement,
                             1,
@@ -141,6 +144,7 @@ namespace Thalweg
           fluids.index(condition.inflow_fluid);
     });
     const RunOutline<dim> outline{coarse, fluids, has_flat_cells(coarse)};
+    collect([&]() { adaptive.check(outline); });
     for (const Postprocessor<dim> *postprocessor : postprocessors.chosen())
       collect([&]() { postprocessor->check(outline); });
   }

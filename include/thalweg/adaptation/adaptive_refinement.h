@@ -65,7 +65,7 @@ namespace Thalweg
      *
      * @param mesh gets the flags
      * @param solution on @p mesh
-     * @param dt_next the next step in s, if it is known
+     * @param dt_next the next step in s; 0: as long as the last one
      * @return whether any flag is set on any process
      */
     bool

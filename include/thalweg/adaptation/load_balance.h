@@ -2,6 +2,7 @@
 #define thalweg_adaptation_load_balance_h
 
 #include <thalweg/core/compat_weights.h>
+#include <thalweg/core/section.h>
 #include <thalweg/postprocess/solution_view.h>
 
 #include <string>
@@ -53,12 +54,12 @@ namespace Thalweg
     /**
      * @brief The weight of a cell, or of what will become of it.
      *
-     * What is known are the cells that were counted; others count as cells
-     * without particles. A child gets its share of its parent's particles, and
-     * half of a cut parent's children, seen over many, are cut in their turn
-     * (in d dimensions 2^(d-1) of 2^d); a parent has the particles of all its
-     * children. Weights are multiples of a thousandth of an empty cell's, or
-     * coarser where that would not fit into an int, which is what p4est takes.
+     * What is known are the cells that were counted; others count as empty.
+     * A child gets its share of its parent's particles and half the weight of
+     * a cut cell, as half of the children of a cut cell are cut on average; a
+     * parent has the particles of all its children. Weights are multiples of a
+     * thousandth of an empty cell's, or coarser where that would not fit into
+     * an int, which is what p4est takes.
      */
     unsigned int
     weight(const CellIterator &cell, const Compat::CellFate fate) const;

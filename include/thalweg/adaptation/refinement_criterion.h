@@ -63,7 +63,7 @@ namespace Thalweg
      * @brief Looks at the solution. Collective.
      * @param solution on the mesh that is going to change
      * @param levels between which it may change
-     * @param time_ahead for how long the new mesh will have to do, in s
+     * @param time_ahead the next time step, in s; 0 if it is not known
      * @param wishes with no wishes in them yet
      */
     virtual void

@@ -1,6 +1,8 @@
 #ifndef thalweg_simulation_simulation_h
 #define thalweg_simulation_simulation_h
 
+#include <thalweg/adaptation/adaptive_refinement.h>
+#include <thalweg/adaptation/load_balance.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/postprocess/postprocessor.h>
@@ -28,6 +30,8 @@ namespace Thalweg
     check(std::vector<std::string> &faults) const;
 
     MeshParameters<dim>         mesh;
+    AdaptiveRefinement<dim>     adaptive;
+    LoadBalance<dim>            balance;
     TimeControl                 time;
     Fluids                      fluids;
     BodyForces<dim>             forces;

@@ -46,6 +46,9 @@ namespace Thalweg
       void
       execute(Context &context, const SolutionView<dim> &solution) override;
 
+      void
+      keep(const State<dim> &state) override;
+
     private:
       /// Drag, lift, moment(s).
       static constexpr unsigned int n_numbers = 2 + Load<dim>::n_moments;
@@ -287,6 +290,19 @@ namespace Thalweg
         file.write_row(context, row);
       if (solution.last_step)
         write_summary(context);
+    }
+
+
+    template <int dim>
+    void
+    ForcesOnBody<dim>::keep(const State<dim> &state)
+    {
+      const Archive &archive = state.values();
+      schedule.keep(archive);
+      file.keep(archive, schedule.was_due_for_the_end());
+      archive.value("times", times);
+      for (unsigned int s = 0; s < series.size(); ++s)
+        archive.value("series " + std::to_string(s), series[s]);
     }
 
 

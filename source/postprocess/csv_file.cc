@@ -2,31 +2,32 @@
 #include <thalweg/postprocess/csv_file.h>
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
+#include <sstream>
 
 namespace Thalweg
 {
   void
-  CsvFile::open(const Context                  &context,
+  CsvFile::open(Context                        &context,
                 const std::string              &name,
                 const std::vector<std::string> &columns)
   {
-    n_columns = columns.size();
+    this->context = &context;
+    n_columns     = columns.size();
+    header.clear();
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      header += (c > 0 ? "," : "") + columns[c];
+    header += '\n';
     if (context.output_directory.empty())
       return;
     path = context.output_directory + "/" + name;
-    on_root(context.communicator, [&]() {
-      file.open(path, std::ios::trunc);
-      for (std::size_t c = 0; c < columns.size(); ++c)
-        file << (c > 0 ? "," : "") << columns[c];
-      file << '\n';
-      AssertThrow(file.flush(),
-                  dealii::ExcMessage("Cannot write to '" + path +
-                                     "'. Does the directory exist, may you "
-                                     "write there, and is the disk full?"));
-    });
+    if (context.resumed)
+      return;
+    on_root(context.communicator, [&]() { file.create(path, header); });
+    length = last_length = header.size();
   }
 
 
@@ -44,21 +45,54 @@ namespace Thalweg
     if (path.empty())
       return;
     on_root(context.communicator, [&]() {
-      file.precision(12);
+      if (!file.is_open())
+        file.create(path, header);
+      std::ostringstream text;
+      text.precision(12);
       for (const std::vector<double> &values : rows)
         {
           AssertDimension(values.size(), n_columns);
           for (std::size_t c = 0; c < values.size(); ++c)
             {
-              file << (c > 0 ? "," : "");
+              text << (c > 0 ? "," : "");
               if (std::isfinite(values[c]))
-                file << values[c];
+                text << values[c];
             }
-          file << '\n';
+          text << '\n';
         }
-      AssertThrow(file.flush(),
-                  dealii::ExcMessage("Cannot write to '" + path +
-                                     "': is the disk full?"));
+      last_length = file.length();
+      file.append(text.str());
+      length = file.length();
     });
+    share_lengths();
+  }
+
+
+  void
+  CsvFile::share_lengths()
+  {
+    const auto lengths =
+      dealii::Utilities::MPI::broadcast(context->communicator,
+                                        std::array<std::uint64_t, 2>{
+                                          {last_length, length}});
+    last_length = lengths[0];
+    length      = lengths[1];
+  }
+
+
+  void
+  CsvFile::keep(const Archive &archive, const bool without_last)
+  {
+    std::uint64_t kept = without_last ? last_length : length;
+    archive.value("length", kept);
+    if (!archive.is_restoring() || path.empty())
+      return;
+    on_root(context->communicator, [&]() {
+      const std::string message = file.reopen(path, header, kept);
+      if (!message.empty())
+        context->log.warning(message);
+      last_length = length = file.length();
+    });
+    share_lengths();
   }
 } // namespace Thalweg

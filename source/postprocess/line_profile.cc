@@ -114,6 +114,13 @@ namespace Thalweg
       }
 
 
+      void
+      keep_files(const Archive &archive, const bool without_last) override
+      {
+        table.keep(archive, without_last);
+      }
+
+
       std::vector<dealii::Point<dim>> ends;
       unsigned int                    n_points = 101;
       std::vector<double>             fractions;

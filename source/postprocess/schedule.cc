@@ -18,13 +18,24 @@ namespace Thalweg
   bool
   Schedule::is_due(const double time, const bool last_step)
   {
+    due_for_the_end = false;
     if (interval <= 0.)
       return true;
     // Times that are sums of steps miss a multiple by round-off.
     const double tolerance = 1e-9 * interval;
     if (time < next - tolerance)
-      return last_step;
+      {
+        due_for_the_end = last_step;
+        return last_step;
+      }
     next = (std::floor((time + tolerance) / interval) + 1.) * interval;
     return true;
+  }
+
+
+  void
+  Schedule::keep(const Archive &archive)
+  {
+    archive.value("next", next);
   }
 } // namespace Thalweg

@@ -23,6 +23,15 @@ namespace Thalweg
 
   template <int dim>
   void
+  ScheduledOutput<dim>::keep(const State<dim> &state)
+  {
+    schedule.keep(state.values());
+    keep_files(state.values(), schedule.was_due_for_the_end());
+  }
+
+
+  template <int dim>
+  void
   TableOutput<dim>::initialize(Context                 &context,
                                const SolutionView<dim> &solution)
   {
@@ -44,9 +53,25 @@ namespace Thalweg
 
   template <int dim>
   void
+  TableOutput<dim>::keep_files(const Archive &archive, const bool without_last)
+  {
+    file.keep(archive, without_last);
+  }
+
+
+  template <int dim>
+  void
   SeriesOutput<dim>::initialize(Context &context, const SolutionView<dim> &)
   {
     record.open(context, name);
+  }
+
+
+  template <int dim>
+  void
+  SeriesOutput<dim>::keep_files(const Archive &archive, const bool without_last)
+  {
+    record.keep(archive, without_last);
   }
 
 

@@ -49,6 +49,7 @@ namespace Thalweg
                       const std::string              &name,
                       const std::vector<std::string> &columns)
   {
+    this->context = &context;
     this->name    = name;
     this->columns = columns;
     if (context.output_directory.empty())
@@ -71,13 +72,43 @@ namespace Thalweg
   {
     if (context.output_directory.empty())
       return;
-    const std::string path = context.output_directory + "/" + name;
-    const std::string numbered =
-      path + "/" + name + "_" +
-      dealii::Utilities::int_to_string(n_written++, 4) + ".csv";
     on_root(context.communicator, [&]() {
-      write_file(numbered, columns, rows);
-      write_file(path + ".csv", columns, rows);
+      write_file(path_of(n_written), columns, rows);
+      write_file(context.output_directory + "/" + name + ".csv", columns, rows);
+    });
+    ++n_written;
+  }
+
+
+  std::string
+  SnapshotTable::path_of(const unsigned int number) const
+  {
+    return context->output_directory + "/" + name + "/" + name + "_" +
+           dealii::Utilities::int_to_string(number, 4) + ".csv";
+  }
+
+
+  void
+  SnapshotTable::keep(const Archive &archive, const bool without_last)
+  {
+    unsigned int n_kept = n_written - (without_last && n_written > 0);
+    archive.value("number", n_kept);
+    if (!archive.is_restoring() || context->output_directory.empty())
+      return;
+    n_written = n_kept;
+    on_root(context->communicator, [&]() {
+      namespace fs = std::filesystem;
+      const std::string latest =
+        context->output_directory + "/" + name + ".csv";
+      if (n_written == 0)
+        fs::remove(latest);
+      else if (fs::exists(path_of(n_written - 1)))
+        {
+          fs::copy_file(path_of(n_written - 1),
+                        latest + ".new",
+                        fs::copy_options::overwrite_existing);
+          fs::rename(latest + ".new", latest);
+        }
     });
   }
 } // namespace Thalweg

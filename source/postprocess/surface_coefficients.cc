@@ -1,6 +1,7 @@
 #include <thalweg/core/send_plain.h>
 #include <thalweg/postprocess/averaging_window.h>
 #include <thalweg/postprocess/csv_file.h>
+#include <thalweg/postprocess/flow_means.h>
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/postprocess/schedule.h>
 #include <thalweg/postprocess/snapshot_table.h>
@@ -40,6 +41,7 @@ namespace Thalweg
     public:
       SurfaceCoefficients()
         : schedule(1e30)
+        , means(/* with_stresses */ false)
       {}
 
       void
@@ -54,13 +56,19 @@ namespace Thalweg
       void
       execute(Context &context, const SolutionView<dim> &solution) override;
 
+      void
+      mesh_changed(const SolutionView<dim> &solution) override;
+
+      void
+      keep(const State<dim> &state) override;
+
     private:
       using Faces = std::vector<FaceSamples<dim>>;
       using Row   = std::vector<double>;
 
-      /// Adds this step to the means, and copies these to @p faces.
-      void
-      average(Faces &faces, const double weight);
+      /// The flow and its means at the owned faces.
+      Faces
+      sample(const FlowFields<dim> &flow) const;
 
       /// Writes the tables out of the root's @p faces. Collective.
       void
@@ -87,8 +95,8 @@ namespace Thalweg
       SnapshotTable                                      table;
       CsvFile                                            zero_file;
 
-      double averaged_time = 0.;
-      Faces  means;
+      /// Of the flow, since samples are linear in it.
+      FlowMeans<dim> means;
     };
 
 
@@ -160,6 +168,7 @@ namespace Thalweg
               columns.push_back(mean + "wall shear stress " + axis + " [Pa]");
           columns.push_back(mean + "c_f");
         }
+      mesh_changed(solution);
       table.open(context, "surface_coefficients", columns);
       if (dim == 2)
         zero_file.open(context,
@@ -184,14 +193,15 @@ namespace Thalweg
       const double weight = window.overlap(solution.time, solution.time_step);
       if (!is_due && weight == 0.)
         return;
-      const FlowFields<dim> flow  = flow_of(solution);
-      Faces                 faces = sample_surface(flow, numbers);
-      average(faces, weight);
+      const FlowFields<dim> flow = flow_of(solution);
+      if (weight > 0.)
+        means.add(flow, weight);
       if (!is_due)
         return;
       Faces all;
       for (const auto &[rank, list] :
-           send_plain<FaceSamples<dim>>(context.communicator, {{0, faces}}))
+           send_plain<FaceSamples<dim>>(context.communicator,
+                                        {{0, sample(flow)}}))
         all.insert(all.end(), list.begin(), list.end());
       write(context, all, solution.time, flow.density);
     }
@@ -199,33 +209,45 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::average(Faces &faces, const double weight)
+    SurfaceCoefficients<dim>::mesh_changed(const SolutionView<dim> &solution)
     {
-      if (averaged_time == 0.)
-        means = faces;
-      AssertThrow(means.size() == faces.size(),
-                  dealii::ExcMessage("'surface coefficients' can only average "
-                                     "on a mesh that stays the same; let "
-                                     "'Average from' be later than the end "
-                                     "of the run."));
-      averaged_time += weight;
-      const double part = averaged_time > 0. ? weight / averaged_time : 0.;
-      const double none =
-        averaged_time > 0. ? 0. : std::numeric_limits<double>::quiet_NaN();
+      means.initialize(solution.mesh, flow_of(solution));
+    }
+
+
+    template <int dim>
+    void
+    SurfaceCoefficients<dim>::keep(const State<dim> &state)
+    {
+      const Archive &archive      = state.values();
+      const bool     without_last = schedule.was_due_for_the_end();
+      schedule.keep(archive);
+      table.keep(archive.enter("table"), without_last);
+      if (dim == 2)
+        zero_file.keep(archive.enter("zeros"), without_last);
+      means.keep(state);
+    }
+
+
+    template <int dim>
+    typename SurfaceCoefficients<dim>::Faces
+    SurfaceCoefficients<dim>::sample(const FlowFields<dim> &flow) const
+    {
+      Faces        faces        = sample_surface(flow, numbers);
+      const Faces  mean_samples = sample_surface(means.flow(flow), numbers);
+      const double none         = means.averaged_time() > 0.
+                                    ? 0.
+                                    : std::numeric_limits<double>::quiet_NaN();
       for (std::size_t f = 0; f < faces.size(); ++f)
         for (unsigned int q = 0; q < faces[f].n_samples; ++q)
           {
-            SurfaceSample<dim> &mean = means[f].samples[q];
-            SurfaceSample<dim> &now  = faces[f].samples[q];
-            mean.mean_pressure += part * (now.pressure - mean.mean_pressure);
-            now.mean_pressure = mean.mean_pressure + none;
+            const SurfaceSample<dim> &mean = mean_samples[f].samples[q];
+            SurfaceSample<dim>       &now  = faces[f].samples[q];
+            now.mean_pressure              = mean.pressure + none;
             for (unsigned int d = 0; d < dim; ++d)
-              {
-                mean.mean_shear[d] +=
-                  part * (now.shear[d] - mean.mean_shear[d]);
-                now.mean_shear[d] = mean.mean_shear[d] + none;
-              }
+              now.mean_shear[d] = mean.shear[d] + none;
           }
+      return faces;
     }
 
 

@@ -18,6 +18,7 @@ namespace Thalweg
     public:
       TimeAverages()
         : schedule(1e30)
+        , means(/* with_stresses */ true)
       {}
 
 
@@ -37,9 +38,28 @@ namespace Thalweg
 
 
       void
-      initialize(Context &context, const SolutionView<dim> &) override
+      initialize(Context &context, const SolutionView<dim> &solution) override
       {
         record.open(context, "time_averages");
+        mesh_changed(solution);
+      }
+
+
+      void
+      mesh_changed(const SolutionView<dim> &solution) override
+      {
+        means.initialize(solution.mesh, flow_of(solution));
+      }
+
+
+      void
+      keep(const State<dim> &state) override
+      {
+        schedule.keep(state.values());
+        record.keep(state.values(),
+                    schedule.was_due_for_the_end() &&
+                      means.averaged_time() > 0.);
+        means.keep(state);
       }
 
 
@@ -52,39 +72,39 @@ namespace Thalweg
         if (weight > 0.)
           means.add(flow, weight);
         if (is_due && means.averaged_time() > 0.)
-          write(context, solution, flow);
+          write(context, solution, means.flow(flow));
       }
 
     private:
       void
       write(Context                 &context,
             const SolutionView<dim> &solution,
-            const FlowFields<dim>   &flow)
+            const FlowFields<dim>   &mean)
       {
         using namespace dealii::DataComponentInterpretation;
         const std::vector<DataComponentInterpretation> is_vector(
           dim, component_is_part_of_vector);
         dealii::DataOut<dim> data;
-        data.add_data_vector(flow.velocity_dofs,
-                             means.velocity(),
+        data.add_data_vector(mean.velocity_dofs,
+                             mean.velocity,
                              std::vector<std::string>(dim, "mean_velocity"),
                              is_vector);
-        data.add_data_vector(flow.pressure_dofs,
-                             means.pressure(),
+        data.add_data_vector(mean.pressure_dofs,
+                             mean.pressure,
                              "mean_pressure");
         std::array<Vector, dim> stresses;
         for (unsigned int d = 0; d < dim; ++d)
           {
             stresses[d] = means.stress(d);
-            data.add_data_vector(flow.velocity_dofs,
+            data.add_data_vector(mean.velocity_dofs,
                                  stresses[d],
                                  std::vector<std::string>(
                                    dim,
                                    std::string("reynolds_stress_") + "xyz"[d]),
                                  is_vector);
           }
-        data.build_patches(flow.mapping,
-                           flow.velocity_dofs.get_fe().degree,
+        data.build_patches(mean.mapping,
+                           mean.velocity_dofs.get_fe().degree,
                            dealii::DataOut<dim>::curved_inner_cells);
         record.write(context, data, solution.time, solution.step);
       }

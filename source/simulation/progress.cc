@@ -55,24 +55,29 @@ namespace Thalweg
                    const double       n_particles,
                    const bool         force)
   {
+    if (!has_begun)
+      {
+        has_begun  = true;
+        first_step = step;
+        first_time = time - dt;
+      }
     if (!force && seconds_since(last_line) < .5)
       return;
     last_line = Clock::now();
     char text[256];
-    std::snprintf(
-      text,
-      sizeof(text),
-      "step %6u   t = %9.4g of %.4g s   dt = %8.2e s   "
-      "Co = %5.2f   particles = %.0f   left: %s",
-      step,
-      time,
-      end_time,
-      dt,
-      courant_number,
-      n_particles,
-      time > 0
-        ? duration(seconds_since(start) * (end_time - time) / time).c_str()
-        : "?");
+    std::snprintf(text,
+                  sizeof(text),
+                  "step %6u   t = %9.4g of %.4g s   dt = %8.2e s   "
+                  "Co = %5.2f   particles = %.0f   left: %s",
+                  step,
+                  time,
+                  end_time,
+                  dt,
+                  courant_number,
+                  n_particles,
+                  duration(seconds_since(start) * (end_time - time) /
+                           (time - first_time))
+                    .c_str());
     context.log.line(text);
   }
 
@@ -85,8 +90,13 @@ namespace Thalweg
     const auto   times =
       context.timers.get_summary_data(dealii::TimerOutput::total_wall_time);
     context.log.line("");
-    context.log.line("Ended after " + std::to_string(n_steps) + " steps and " +
-                     duration(total) + ". Wall time by phase:");
+    const std::string steps =
+      std::to_string(n_steps) + " steps" +
+      (first_step > 1 ? ", of which this process did " +
+                          std::to_string(n_steps + 1 - first_step) + ","
+                      : "");
+    context.log.line("Ended after " + steps + " and " + duration(total) +
+                     ". Wall time by phase:");
     std::ofstream csv;
     if (context.is_root && !context.output_directory.empty())
       {

@@ -65,7 +65,9 @@ namespace Thalweg
   {
     on_root(context.communicator, [&]() {
       create_directory(directory);
-      if (!input_file.empty())
+      const bool has_original =
+        context.resumed && std::filesystem::exists(directory + "/original.prm");
+      if (!input_file.empty() && !has_original)
         write_file(directory + "/original.prm", content_of(input_file));
       std::ostringstream parameters;
       prm.print_parameters(parameters,
@@ -73,9 +75,10 @@ namespace Thalweg
                              dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder));
       write_file(directory + "/parameters.prm", parameters.str());
-      write_file(directory + "/log.txt", "");
+      if (!context.resumed)
+        write_file(directory + "/log.txt", "");
     });
-    context.log.open(directory + "/log.txt");
+    context.log.open(directory + "/log.txt", context.resumed);
     context.output_directory = directory;
   }
 } // namespace Thalweg

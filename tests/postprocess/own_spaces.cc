@@ -160,7 +160,8 @@ TEST(OwnSpacesMpi, MeansAndReynoldsStresses)
 {
   State<2>   state(box);
   OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) { return p[0]; });
-  Thalweg::FlowMeans<2> means;
+  Thalweg::FlowMeans<2> means(/* with_stresses */ true);
+  means.initialize(state.mesh, flow.fields);
   // Amplitudes -1, 2 and 3 for 1, 2 and 1 s: mean 1.5, square 4.5.
   for (const auto &[duration, amplitude] :
        std::vector<std::pair<double, double>>{{1., -1.}, {2., 2.}, {1., 3.}})

@@ -1,9 +1,11 @@
 #ifndef thalweg_postprocess_csv_file_h
 #define thalweg_postprocess_csv_file_h
 
+#include <thalweg/core/archive.h>
 #include <thalweg/core/context.h>
+#include <thalweg/core/growing_file.h>
 
-#include <fstream>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,14 +22,16 @@ namespace Thalweg
   {
   public:
     /**
-     * @brief Creates the file and writes its header. Collective.
-     * @param context where; without an output directory nothing is written
+     * @brief Creates the file and writes its header; in a resumed run only
+     * the first row does, unless keep() finds the file. Collective.
+     * @param context where; without an output directory nothing is written;
+     *   must outlive this object
      * @param name of the file in the output directory
      * @param columns with their units, as in "time [s]"
      * @throws dealii::ExcMessage on all processes if it cannot be written
      */
     void
-    open(const Context                  &context,
+    open(Context                        &context,
          const std::string              &name,
          const std::vector<std::string> &columns);
 
@@ -44,10 +48,29 @@ namespace Thalweg
     write_rows(const Context                          &context,
                const std::vector<std::vector<double>> &rows);
 
+    /**
+     * @brief Keeps how long the file is. When restoring, after open(), rows
+     * that were written later vanish; is the file gone, shorter or of other
+     * columns, it begins anew with a warning. Collective.
+     * @param without_last whether the last write_row() or write_rows() is not
+     *   to be there when the run goes on
+     * @throws dealii::ExcMessage on all processes if it cannot be written
+     */
+    void
+    keep(const Archive &archive, const bool without_last = false);
+
   private:
-    std::string   path;
-    std::ofstream file;
-    std::size_t   n_columns = 0;
+    /// Tells all processes what the root process knows. Collective.
+    void
+    share_lengths();
+
+    Context    *context = nullptr;
+    std::string path;
+    std::string header;
+    GrowingFile file; ///< of the root process
+    std::size_t n_columns = 0;
+    /// In bytes, the same on all processes: now and before the last rows.
+    std::uint64_t length = 0, last_length = 0;
   };
 } // namespace Thalweg
 

@@ -2,24 +2,41 @@
 #define thalweg_postprocess_flow_means_h
 
 #include <thalweg/fields/flow_fields.h>
+#include <thalweg/fields/state.h>
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace Thalweg
 {
   /**
-   * @brief Means of a flow over time and of the products of its
-   * fluctuations, in the flow's own spaces.
+   * @brief Means of a flow over time and, on demand, of the products of its
+   * fluctuations, in spaces of the flow's degrees.
+   *
+   * The spaces are its own, so that they outlive the flow's when the mesh
+   * changes. Dependent nodes have what follows from the others.
    */
   template <int dim>
   class FlowMeans
   {
   public:
-    using Vector = typename FlowFields<dim>::Vector;
+    /// @param with_stresses whether stress() is needed
+    explicit FlowMeans(const bool with_stresses)
+      : with_stresses(with_stresses)
+    {}
+
+    /**
+     * @brief Makes spaces for means of @p flow, whose values are then zero;
+     * the averaged time stays what it was. To be called at the start, and
+     * when the mesh has changed.
+     * @param mesh of the flow; it and the flow's mapping must outlive the
+     *   spaces
+     */
+    void
+    initialize(const Mesh<dim> &mesh, const FlowFields<dim> &flow);
 
     /// Counts the present flow for @p duration, in s.
-    /// @throws dealii::ExcMessage if the mesh has changed
     void
     add(const FlowFields<dim> &flow, const double duration);
 
@@ -29,6 +46,11 @@ namespace Thalweg
     {
       return total_time;
     }
+
+    /// The means as a flow, with what @p present says of the fluid; no
+    /// reaction. Valid until initialize() is called again.
+    FlowFields<dim>
+    flow(const FlowFields<dim> &present) const;
 
     /// m/s, ghosted.
     const Vector &
@@ -51,16 +73,24 @@ namespace Thalweg
     Vector
     stress(const unsigned int component) const;
 
-  private:
     void
-    begin(const FlowFields<dim> &flow);
+    keep(const State<dim> &state);
 
-    double                  total_time = 0.;
-    Vector                  mean_velocity, mean_pressure;
-    std::array<Vector, dim> stress_times_time;
-    /// For each owned degree of freedom of the velocity all components at
-    /// its node, in local numbers.
-    std::vector<std::array<unsigned int, dim>> partners;
+  private:
+    /// For each owned degree of freedom of @p own the local number in
+    /// @p vector of the one of @p dofs at the same place.
+    static std::vector<unsigned int>
+    find_sources(const LagrangeSpace<dim>      &own,
+                 const dealii::DoFHandler<dim> &dofs,
+                 const Vector                  &vector);
+
+    bool   with_stresses;
+    double total_time = 0.;
+    /// They are one if the degrees are equal.
+    std::shared_ptr<LagrangeSpace<dim>> velocity_space, pressure_space;
+    std::vector<unsigned int>           velocity_sources, pressure_sources;
+    Vector                              mean_velocity, mean_pressure;
+    std::array<Vector, dim>             stress_times_time;
   };
 } // namespace Thalweg
 

@@ -1,6 +1,7 @@
 #ifndef thalweg_postprocess_pvd_record_h
 #define thalweg_postprocess_pvd_record_h
 
+#include <thalweg/core/archive.h>
 #include <thalweg/core/context.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -20,12 +21,13 @@ namespace Thalweg
   class PvdRecord
   {
   public:
-    /// @param context where; without an output directory nothing is written
+    /// @param context where; without an output directory nothing is written;
+    ///   must outlive this object
     /// @param name of the series
     /// @throws dealii::ExcMessage on all processes if the directory cannot
     ///   be created
     void
-    open(const Context &context, const std::string &name);
+    open(Context &context, const std::string &name);
 
     /**
      * @brief Writes the patches of @p data as the next file. Collective.
@@ -40,11 +42,30 @@ namespace Thalweg
           const double                             time,
           const unsigned int                       step);
 
+    /**
+     * @brief Keeps the list of files. When restoring, after open(), the
+     * record is written with these alone, and the files behind them will be
+     * written over; files that are gone are left out with a warning.
+     * Collective.
+     * @param without_last whether the last file is not to be there when the
+     *   run goes on
+     * @throws dealii::ExcMessage on all processes if the disk is full
+     */
+    void
+    keep(const Archive &archive, const bool without_last = false);
+
   private:
     void
     write_record(const Context &context) const;
 
-    std::string                                 name;
+    /// Takes files off the list that are not there. Collective.
+    void
+    drop_missing_files();
+
+    Context    *context = nullptr;
+    std::string name;
+    /// Of all files, those too that are gone.
+    unsigned int                                n_written = 0;
     std::vector<std::pair<double, std::string>> files;
   };
 } // namespace Thalweg

@@ -1,6 +1,7 @@
 #ifndef thalweg_postprocess_schedule_h
 #define thalweg_postprocess_schedule_h
 
+#include <thalweg/core/archive.h>
 #include <thalweg/core/section.h>
 
 #include <string>
@@ -31,9 +32,21 @@ namespace Thalweg
     bool
     is_due(const double time, const bool last_step);
 
+    /// Whether it was due last only since no other step was to follow. What
+    /// was written then is dropped when the run goes on after all.
+    bool
+    was_due_for_the_end() const
+    {
+      return due_for_the_end;
+    }
+
+    void
+    keep(const Archive &archive);
+
   private:
     double interval;
-    double next = -1e300;
+    double next            = -1e300;
+    bool   due_for_the_end = false;
   };
 } // namespace Thalweg
 

@@ -31,6 +31,9 @@ namespace Thalweg
     void
     execute(Context &context, const SolutionView<dim> &solution) final;
 
+    void
+    keep(const State<dim> &state) final;
+
   protected:
     /// Declares all but "Interval".
     virtual void
@@ -40,6 +43,12 @@ namespace Thalweg
     /// Writes the present state. Collective.
     virtual void
     write(Context &context, const SolutionView<dim> &solution) = 0;
+
+    /// Keeps the files that write() writes.
+    /// @param without_last whether what it wrote last is to be dropped when
+    ///   the run goes on
+    virtual void
+    keep_files(const Archive &archive, const bool without_last) = 0;
 
   private:
     std::string what;
@@ -78,6 +87,9 @@ namespace Thalweg
     void
     write(Context &context, const SolutionView<dim> &solution) final;
 
+    void
+    keep_files(const Archive &archive, const bool without_last) final;
+
     std::string file_name;
     CsvFile     file;
   };
@@ -99,6 +111,9 @@ namespace Thalweg
     initialize(Context &context, const SolutionView<dim> &solution) final;
 
   protected:
+    void
+    keep_files(const Archive &archive, const bool without_last) final;
+
     std::string name;
     PvdRecord   record;
   };

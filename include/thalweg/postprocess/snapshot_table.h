@@ -1,6 +1,7 @@
 #ifndef thalweg_postprocess_snapshot_table_h
 #define thalweg_postprocess_snapshot_table_h
 
+#include <thalweg/core/archive.h>
 #include <thalweg/core/context.h>
 
 #include <string>
@@ -19,7 +20,8 @@ namespace Thalweg
   public:
     /**
      * @brief Creates the directory. Collective.
-     * @param context where; without an output directory nothing is written
+     * @param context where; without an output directory nothing is written;
+     *   must outlive this object
      * @param name of the tables, without ending
      * @param columns with their units
      * @throws dealii::ExcMessage on all processes if that fails
@@ -37,7 +39,23 @@ namespace Thalweg
     void
     write(const Context &context, const std::vector<std::vector<double>> &rows);
 
+    /**
+     * @brief Keeps how many files there are. When restoring, after open(),
+     * those behind them will be written over, and the last of them becomes
+     * the latest again. Collective.
+     * @param without_last whether the last file is not to be there when the
+     *   run goes on
+     * @throws dealii::ExcMessage on all processes if the disk is full
+     */
+    void
+    keep(const Archive &archive, const bool without_last = false);
+
   private:
+    /// Where a file stands.
+    std::string
+    path_of(const unsigned int number) const;
+
+    const Context           *context = nullptr;
     std::string              name;
     std::vector<std::string> columns;
     unsigned int             n_written = 0;

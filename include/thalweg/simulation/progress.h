@@ -9,6 +9,9 @@ namespace Thalweg
 {
   /**
    * @brief The line that tells how far a run is, and the summary at its end.
+   *
+   * Speed and wall times are those of this process: what a resumed run did
+   * before, perhaps on another machine, does not count.
    */
   class Progress
   {
@@ -16,7 +19,8 @@ namespace Thalweg
     /// @param context where to write
     explicit Progress(Context &context);
 
-    /// One line for a step, at most two a second on the terminal.
+    /// One line for a step, at most two a second on the terminal; to be
+    /// called after every step.
     void
     report(const unsigned int step,
            const double       time,
@@ -27,6 +31,7 @@ namespace Thalweg
            const bool         force);
 
     /// Timers by phase on the terminal and in `timers.csv`. Collective.
+    /// @param n_steps since the run's start
     void
     summarize(const unsigned int n_steps);
 
@@ -36,6 +41,10 @@ namespace Thalweg
     Context          &context;
     Clock::time_point start;
     Clock::time_point last_line;
+    /// Where this process began: with the first step it reports.
+    bool         has_begun  = false;
+    unsigned int first_step = 1;
+    double       first_time = 0.; ///< s
   };
 } // namespace Thalweg
 

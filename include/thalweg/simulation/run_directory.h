@@ -15,7 +15,9 @@ namespace Thalweg
    * `parameters.prm`, all parameters with the values that are used.
    *
    * From then on the log goes to `log.txt` there, and
-   * Context::output_directory names the place.
+   * Context::output_directory names the place. When the run is resumed,
+   * `log.txt` is continued, and `original.prm` stays what the run was begun
+   * with.
    *
    * @param context of the run
    * @param directory where results go; created with its parents

@@ -65,3 +65,93 @@ TEST(Statistics, BeginsWithTheDeclaredColumnsThatTheFirstRowHas)
   EXPECT_EQ(content(path), "step,time [s],iterations\n1,0.125,7\n2,,\n");
   std::remove(path.c_str());
 }
+
+
+namespace
+{
+  /// Fills and ends the row of a step.
+  void
+  end_step(Statistics &statistics, const unsigned int step)
+  {
+    statistics.set("step", step);
+    statistics.set("time [s]", step / 3.);
+    if (step % 2 == 0)
+      statistics.add("seldom", 1.);
+    statistics.end_row();
+  }
+
+
+  void
+  begin(Statistics &statistics, const std::string &path, const bool resumed)
+  {
+    statistics.declare({"time [s]", "nowhere"});
+    statistics.open(path, resumed);
+  }
+} // namespace
+
+
+TEST(Statistics, GoOnAfterACheckpointAsIfNothingHadHappened)
+{
+  const std::string straight_path = own_path("straight.csv");
+  Statistics        straight;
+  begin(straight, straight_path, false);
+  for (unsigned int step = 2; step < 9; ++step)
+    end_step(straight, step);
+
+  Log               log(true);
+  const std::string path = own_path("resumed.csv");
+  for (const unsigned int stop : {2u, 3u, 6u})
+    {
+      const Archive archive;
+      {
+        Statistics statistics;
+        begin(statistics, path, false);
+        for (unsigned int step = 2; step < stop; ++step)
+          end_step(statistics, step);
+        statistics.keep(archive, log);
+        // Until it was killed.
+        for (unsigned int step = stop; step < 8; ++step)
+          end_step(statistics, step);
+        std::ofstream(path, std::ios::app) << "0.3";
+      }
+      Statistics statistics;
+      begin(statistics, path, true);
+      statistics.set("only at the start", 1.);
+      statistics.keep(Archive::restore(archive.bytes()), log);
+      EXPECT_FALSE(statistics.has("only at the start"));
+      EXPECT_EQ(statistics.has("time [s]"), stop > 2);
+      for (unsigned int step = stop; step < 9; ++step)
+        end_step(statistics, step);
+      EXPECT_EQ(content(path), content(straight_path));
+      EXPECT_EQ(statistics.column_names(), straight.column_names());
+    }
+  std::remove(path.c_str());
+  std::remove(straight_path.c_str());
+}
+
+
+TEST(Statistics, BeginAnewWhereTheFileIsGone)
+{
+  const std::string path = own_path("gone.csv");
+  const std::string said = own_path("gone.txt");
+  const Archive     archive;
+  Log               log(true);
+  log.open(said);
+  {
+    Statistics statistics;
+    begin(statistics, path, false);
+    end_step(statistics, 2);
+    statistics.keep(archive, log);
+  }
+  EXPECT_EQ(content(said), "");
+  std::remove(path.c_str());
+  Statistics statistics;
+  begin(statistics, path, true);
+  statistics.keep(Archive::restore(archive.bytes()), log);
+  end_step(statistics, 3);
+  EXPECT_EQ(content(path), "time [s],step,seldom\n1,3,\n");
+  EXPECT_NE(content(said).find("Warning: The file '" + path),
+            std::string::npos);
+  std::remove(path.c_str());
+  std::remove(said.c_str());
+}

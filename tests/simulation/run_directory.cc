@@ -52,6 +52,42 @@ TEST(RunDirectoryMpi, HoldsWhatWasAskedFor)
 
 
 
+TEST(RunDirectoryMpi, IsContinuedByAResumedRun)
+{
+  const fs::path                 directory = own_path("resumed_run");
+  const dealii::ParameterHandler prm;
+  const auto                     prepare = [&](const bool resumed) {
+    Context context(MPI_COMM_WORLD);
+    context.resumed = resumed;
+    prepare_run_directory(context,
+                          directory.string(),
+                          (directory / "given.prm").string(),
+                          prm);
+    context.log.line(resumed ? "second" : "first");
+    MPI_Barrier(MPI_COMM_WORLD);
+    return content(directory / "log.txt");
+  };
+  const bool is_root =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  if (is_root)
+    {
+      fs::create_directories(directory);
+      std::ofstream(directory / "given.prm") << "# once\n";
+    }
+  EXPECT_EQ(prepare(false), "first\n");
+  if (is_root)
+    std::ofstream(directory / "given.prm") << "# changed\n";
+  EXPECT_EQ(prepare(true), "first\nsecond\n");
+  EXPECT_EQ(content(directory / "original.prm"), "# once\n");
+  EXPECT_EQ(prepare(false), "first\n");
+  EXPECT_EQ(content(directory / "original.prm"), "# changed\n");
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (is_root)
+    fs::remove_all(directory);
+}
+
+
+
 TEST(RunDirectory, FilesAreReplacedAsAWhole)
 {
   const fs::path path = own_path("whole.txt");

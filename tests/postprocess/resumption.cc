@@ -144,8 +144,11 @@ namespace
     const Thalweg::State<2> state(Archive::restore(archive.bytes()));
     second->keep(state);
     for (const auto &field : state.fields())
-      for (unsigned int i = 0; i < kept.at(field.name).size(); ++i)
-        field.vector->local_element(i) = kept.at(field.name)[i];
+      {
+        for (unsigned int i = 0; i < kept.at(field.name).size(); ++i)
+          field.vector->local_element(i) = kept.at(field.name)[i];
+        field.space->interpolate(*field.vector, field.n_components);
+      }
     stage.advance(*second, 8, 12, true);
 
     EXPECT_FALSE(straight.files().empty());

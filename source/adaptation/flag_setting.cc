@@ -157,13 +157,19 @@ namespace Thalweg
       {
         cell->clear_refine_flag();
         cell->clear_coarsen_flag();
-        if (cell->is_artificial())
-          continue;
-        const int level = levels[cell->active_cell_index()];
+      }
+    for (unsigned int c = 0; c < mesh.graph().n_cells(); ++c)
+      {
+        const auto &cell  = mesh.graph().iterator(c);
+        const int   level = levels[cell->active_cell_index()];
         if (level > cell->level())
           cell->set_refine_flag();
         else if (level < cell->level())
-          cell->set_coarsen_flag();
+          // Siblings of ghost cells may be unknown here. Without their flags
+          // deal.II would not believe that the family vanishes, and keep our
+          // own cells beside it.
+          for (unsigned int k = 0; k < (1u << dim); ++k)
+            cell->parent()->child(k)->set_coarsen_flag();
       }
     mesh.triangulation().prepare_coarsening_and_refinement();
 

@@ -143,8 +143,9 @@ TYPED_TEST(CriteriaMpi, AnInterfaceThatLeavesItsBandIsSeen)
   state.set(state.level_set, [](const auto &p) { return p[0] - .22; });
   state.set(
     state.velocity, [](const auto &) { return 1.; }, dim, 0);
-  const Setup<dim> setup({"Criteria = interface distance", "Maximum level = 1"},
-                         section("interface distance", {"Widths = 1"}));
+  const Adaptation<dim> setup({"Criteria = interface distance",
+                               "Maximum level = 1"},
+                              section("interface distance", {"Widths = 1"}));
   EXPECT_FALSE(setup.adaptive.must_adapt(state.view(), .2));
   EXPECT_TRUE(setup.adaptive.must_adapt(state.view(), .3));
   state.set(

@@ -76,6 +76,16 @@ namespace Thalweg
 
 
   Archive
+  Archive::reader() const
+  {
+    Archive archive = *this;
+    archive.mode    = Mode::read;
+    return archive;
+  }
+
+
+
+  Archive
   Archive::nowhere()
   {
     Archive archive;

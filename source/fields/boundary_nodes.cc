@@ -86,7 +86,7 @@ namespace Thalweg
     };
     for_each_boundary_face(graph, add_face);
 
-    const unsigned int n_owned = space.scalar_layout()->locally_owned_size();
+    const unsigned int n_owned = space.scalar_layout().locally_owned_size();
     for (const auto &[node, demand] : demands)
       if (node < n_owned && !space.is_dependent(node))
         fixed.add(node, demand);

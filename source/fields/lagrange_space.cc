@@ -1,6 +1,8 @@
 #include <thalweg/core/compat.h>
 #include <thalweg/fields/lagrange_space.h>
 
+#include <deal.II/dofs/dof_renumbering.h>
+
 namespace Thalweg
 {
   template <int dim>
@@ -17,6 +19,9 @@ namespace Thalweg
   {
     scalar_dofs.distribute_dofs(fe_scalar);
     velocity_dofs.distribute_dofs(fe_velocity);
+    // Along the curve of the cells, whatever became of the mesh before.
+    dealii::DoFRenumbering::hierarchical(scalar_dofs);
+    dealii::DoFRenumbering::hierarchical(velocity_dofs);
     make_continuity(mesh_, scalar_dofs, scalar_continuity);
     scalar_partitioner = make_partitioner(scalar_dofs, scalar_continuity, 1);
     velocity_partitioner =

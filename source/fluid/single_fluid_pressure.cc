@@ -1,4 +1,4 @@
-// The explicit pressures of SingleFluidFlow; its steps are in
+// The explicit pressures of SingleFluidFlow, and its state; its steps are in
 // single_fluid_flow.cc.
 #include <thalweg/fields/owned_values.h>
 #include <thalweg/fields/vertex_values.h>
@@ -150,6 +150,41 @@ namespace Thalweg
 
 
 
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::keep(const State<dim> &state)
+  {
+    state.values().value("time", time);
+    state.values().value("last step", old_dt);
+    state.values().value("pressure time", view.pressure_time);
+    const LagrangeSpace<dim> &V = *velocity_space;
+    state.field("velocity", V, begin_velocity, dim);
+    state.field("velocity at end", V, end_velocity, dim);
+    state.field("old velocity", V, old_velocity, dim);
+    state.field("viscous acceleration", V, viscous, dim);
+    state.field("viscous acceleration at end", V, end_viscous, dim);
+    state.field("smooth acceleration at end", V, end_smooth, dim);
+    state.field("pressure gradient at begin", V, begin_gradient, dim);
+    state.field("pressure gradient at end", V, end_gradient, dim);
+    state.field("reaction", V, reaction, dim);
+    state.field("explicit pressure at begin",
+                *explicit_space,
+                begin_pressure,
+                1);
+    state.field("explicit pressure at end", *explicit_space, end_pressure, 1);
+    state.field("explicit pressure", *pressure_space, pressure, 1);
+    state.field("pressure", *pressure_space, new_pressure, 1);
+    state.field("old pressure", *pressure_space, old_pressure, 1);
+    state.field("pressure rate", *pressure_space, pressure_rate, 1);
+    state.field("physical pressure", *pressure_space, physical_pressure, 1);
+  }
+
+
+
+  template void
+  SingleFluidFlow<2>::keep(const State<2> &);
+  template void
+  SingleFluidFlow<3>::keep(const State<3> &);
   template void
   SingleFluidFlow<2>::make_explicit_space();
   template void

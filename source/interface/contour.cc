@@ -182,7 +182,7 @@ namespace Thalweg
     if (dealii::Utilities::MPI::n_mpi_processes(dofs.get_communicator()) == 1)
       return;
 
-    const auto &partitioner = *space.scalar_layout();
+    const auto &partitioner = space.scalar_layout();
     std::map<unsigned int, std::vector<Message<dim>>> messages;
     auto         range    = partitioner.import_indices().begin();
     unsigned int in_range = 0;
@@ -255,7 +255,7 @@ namespace Thalweg
     // others, then back; hanging nodes learn of the coarse cells beside them.
     for (const bool to_master : {true, false})
       {
-        for (const auto &[node, master, weight] : space.dependences())
+        for (const auto &[node, master, weight] : space.dependences().all())
           {
             const auto masters    = space.hanging_masters(node);
             const bool is_hanging = masters.first != masters.second;

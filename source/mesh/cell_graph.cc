@@ -1,6 +1,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/mesh/cell_graph.h>
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
@@ -30,6 +31,36 @@ namespace Thalweg
           }
       return true;
     }
+
+    /// Appends the active cells inside @p cell along p4est's curve.
+    template <int dim>
+    void
+    append_active(
+      const typename dealii::Triangulation<dim>::cell_iterator &cell,
+      std::vector<typename CellGraph<dim>::CellIterator>       &cells)
+    {
+      if (cell->is_active())
+        cells.push_back(cell);
+      else
+        for (unsigned int c = 0; c < cell->n_children(); ++c)
+          append_active<dim>(cell->child(c), cells);
+    }
+
+
+
+    /// The active cells along p4est's curve.
+    template <int dim>
+    std::vector<typename CellGraph<dim>::CellIterator>
+    along_curve(const dealii::parallel::distributed::Triangulation<dim> &tria)
+    {
+      std::vector<typename CellGraph<dim>::CellIterator> cells;
+      cells.reserve(tria.n_active_cells());
+      for (const auto coarse : tria.get_p4est_tree_to_coarse_cell_permutation())
+        append_active<dim>(
+          typename dealii::Triangulation<dim>::cell_iterator(&tria, 0, coarse),
+          cells);
+      return cells;
+    }
   } // namespace
 
 
@@ -48,14 +79,15 @@ namespace Thalweg
     axis_parallel = true;
     shortest_edge = std::numeric_limits<double>::max();
 
-    for (const auto &cell : tria.active_cell_iterators())
+    const auto all = along_curve(tria);
+    for (const auto &cell : all)
       if (cell->is_locally_owned())
         add_cell(cell);
-    n_owned            = cells.size();
-    first_global_index = n_owned > 0 ? cells[0].global_index : 0;
-    for (const auto &cell : tria.active_cell_iterators())
+    n_owned = cells.size();
+    for (const auto &cell : all)
       if (cell->is_ghost())
         add_cell(cell);
+    number_globally(tria);
 
     for (unsigned int c = 0; c < n_owned; ++c)
       for (unsigned int f = 0; f < n_faces; ++f)
@@ -76,8 +108,7 @@ namespace Thalweg
     entry.measure       = cell->measure();
     for (unsigned int d = 0; d < dim; ++d)
       entry.inverse_extent[d] = entry.axis_parallel ? 1. / entry.extent[d] : 0.;
-    entry.owner        = cell->subdomain_id();
-    entry.global_index = cell->global_active_cell_index();
+    entry.owner = cell->subdomain_id();
 
     axis_parallel = axis_parallel && entry.axis_parallel;
     if (cell->is_locally_owned())
@@ -87,6 +118,27 @@ namespace Thalweg
     index_of_active_cell[cell->active_cell_index()] = cells.size();
     cells.push_back(entry);
     iterators.push_back(cell);
+  }
+
+
+
+  template <int dim>
+  void
+  CellGraph<dim>::number_globally(
+    const dealii::parallel::distributed::Triangulation<dim> &tria)
+  {
+    using Number = dealii::types::global_cell_index;
+    // Ranks own consecutive parts of the curve.
+    first_global_index =
+      tria.global_active_cell_index_partitioner().lock()->local_range().first;
+    for (unsigned int c = 0; c < n_owned; ++c)
+      cells[c].global_index = first_global_index + c;
+    dealii::GridTools::exchange_cell_data_to_ghosts<Number>(
+      tria,
+      [&](const auto &cell) { return cells[index(cell)].global_index; },
+      [&](const auto &cell, const Number number) {
+        cells[index(cell)].global_index = number;
+      });
   }
 
 

@@ -4,6 +4,8 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <boost/crc.hpp>
+
 namespace Thalweg
 {
   template <int dim>
@@ -67,6 +69,27 @@ namespace Thalweg
     tria.refine_global(parameters.global_refinement);
     refine_locally(parameters.global_refinement, parameters.local_refinement);
     update();
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  Mesh<dim>::coarse_checksum() const
+  {
+    boost::crc_32_type crc;
+    const auto         add = [&](const auto &value) {
+      crc.process_bytes(&value, sizeof(value));
+    };
+    for (const auto &cell : tria.cell_iterators_on_level(0))
+      {
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int d = 0; d < dim; ++d)
+            add(cell->vertex(v)[d]);
+        for (const unsigned int f : cell->face_indices())
+          add(cell->face(f)->boundary_id());
+      }
+    return crc.checksum();
   }
 
 

@@ -1,6 +1,7 @@
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/methods/advection.h>
+#include <thalweg/transfer/feet_in_place.h>
 
 namespace Thalweg
 {
@@ -39,12 +40,23 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::initialize(const Parts<dim> &parts_,
-                             const Vector     &initial_velocity,
-                             const Vector     &initial_level_set)
+  Advection<dim>::attach(const Parts<dim> &parts_)
   {
-    parts               = std::make_unique<Parts<dim>>(parts_);
-    function            = parse();
+    parts    = std::make_unique<Parts<dim>>(parts_);
+    function = parse();
+    for (Vector *vector : {&convecting_velocity, &projected_velocity})
+      parts->space.initialize_velocity(*vector);
+    parts->space.initialize_scalar(level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::initialize(const dealii::Function<dim> &,
+                             const Vector &initial_velocity,
+                             const Vector &initial_level_set)
+  {
     convecting_velocity = initial_velocity;
     projected_velocity  = initial_velocity;
     level_set           = initial_level_set;
@@ -55,6 +67,44 @@ namespace Thalweg
                               level_set);
     parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
     set_velocity(0.);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::keep(const State<dim> &state)
+  {
+    state.field("convecting velocity", parts->space, convecting_velocity, dim);
+    state.field("projected velocity", parts->space, projected_velocity, dim);
+    state.field("level set", parts->space, level_set, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::update()
+  {
+    parts->phase.rebuild(level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Advection<dim>::repopulate()
+  {
+    parts->control.fill_empty_cells(parts->population,
+                                    [&](const auto &cells, const auto &points) {
+                                      return feet_in_place(cells,
+                                                           points,
+                                                           parts->space,
+                                                           projected_velocity,
+                                                           parts->space,
+                                                           level_set);
+                                    });
+    parts->control.limit(parts->population);
   }
 
 

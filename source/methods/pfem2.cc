@@ -1,4 +1,5 @@
 #include <thalweg/methods/pfem2.h>
+#include <thalweg/transfer/feet_in_place.h>
 
 #include <algorithm>
 
@@ -27,11 +28,22 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::initialize(const Parts<dim> &parts_,
-                         const Vector     &initial_velocity,
-                         const Vector     &initial_level_set)
+  Pfem2<dim>::attach(const Parts<dim> &parts_)
   {
-    parts               = std::make_unique<Parts<dim>>(parts_);
+    parts = std::make_unique<Parts<dim>>(parts_);
+    for (Vector *vector : {&convecting_velocity, &old_velocity, &velocity_star})
+      parts->space.initialize_velocity(*vector);
+    parts->space.initialize_scalar(level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::initialize(const dealii::Function<dim> &,
+                         const Vector &initial_velocity,
+                         const Vector &initial_level_set)
+  {
     convecting_velocity = initial_velocity;
     old_velocity        = initial_velocity;
     velocity_star       = initial_velocity;
@@ -44,6 +56,48 @@ namespace Thalweg
     Vector &v = parts->flow.velocity();
     v.copy_locally_owned_data_from(initial_velocity);
     parts->space.interpolate(v, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::keep(const State<dim> &state)
+  {
+    state.values().value("flow time", flow_time);
+    state.values().value("old flow time", old_flow_time);
+    state.values().value("acceleration time", acceleration_time);
+    state.field("convecting velocity", parts->space, convecting_velocity, dim);
+    state.field("old velocity", parts->space, old_velocity, dim);
+    state.field("convected velocity", parts->space, velocity_star, dim);
+    state.field("level set", parts->space, level_set, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::update()
+  {
+    parts->phase.rebuild(level_set);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::repopulate()
+  {
+    parts->control.fill_empty_cells(
+      parts->population, [&](const auto &cells, const auto &points) {
+        return feet_in_place(cells,
+                             points,
+                             parts->space,
+                             parts->flow.velocity(),
+                             parts->space,
+                             level_set);
+      });
+    parts->control.limit(parts->population);
   }
 
 
@@ -145,8 +199,7 @@ namespace Thalweg
            projection,
            phase,
            flow,
-           paths,
-           initial_velocity] = *parts;
+           paths] = *parts;
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;

@@ -1,5 +1,6 @@
 #include <thalweg/fields/vertex_values.h>
 #include <thalweg/methods/single_fluid_pfem2.h>
+#include <thalweg/transfer/feet_in_place.h>
 
 #include <algorithm>
 
@@ -65,30 +66,77 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::initialize(const Parts<dim> &parts_,
-                                    const Vector &,
-                                    const Vector &initial_level_set)
+  SingleFluidPfem2<dim>::attach(const Parts<dim> &parts_)
   {
     AssertThrow(parts_.fluids.size() == 1,
                 dealii::ExcMessage(
                   "The method 'single fluid pfem2' is for one fluid: set "
                   "'Fluids/Number' to 1, or 'Method/Model' to 'pfem2'."));
     parts = std::make_unique<Parts<dim>>(parts_);
-    parts->phase.rebuild(initial_level_set);
-    flow = std::make_unique<SingleFluidFlow<dim>>(parts->context,
+    flow  = std::make_unique<SingleFluidFlow<dim>>(parts->context,
                                                   parts->mesh,
                                                   flow_parameters,
                                                   parts->fluids[0],
                                                   parts->forces,
                                                   parts->conditions);
-    flow->initialize(*parts->initial_velocity);
     for (Vector *vector : {&begin_acceleration,
                            &end_acceleration,
                            &acceleration_at_start,
                            &velocity_star})
       flow->space().initialize(*vector, dim);
+    parts->space.initialize_scalar(level_set);
     path.degree = flow->space().degree();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::initialize(const dealii::Function<dim> &velocity,
+                                    const Vector &,
+                                    const Vector &initial_level_set)
+  {
+    level_set.copy_locally_owned_data_from(initial_level_set);
+    flow->initialize(velocity);
+    update();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::keep(const State<dim> &state)
+  {
+    flow->keep(state.enter("flow"));
+    state.field("level set", parts->space, level_set, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::update()
+  {
+    parts->phase.rebuild(level_set);
     show_at_vertices();
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidPfem2<dim>::repopulate()
+  {
+    parts->control.fill_empty_cells(parts->population,
+                                    [&](const auto &cells, const auto &points) {
+                                      return feet_in_place(cells,
+                                                           points,
+                                                           flow->space(),
+                                                           flow->velocity(),
+                                                           parts->space,
+                                                           level_set);
+                                    });
+    parts->control.limit(parts->population);
   }
 
 

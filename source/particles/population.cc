@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace Thalweg
 {
@@ -51,14 +52,21 @@ namespace Thalweg
 
   template <int dim>
   void
-  Population<dim>::reserve_used_ids()
+  Population<dim>::keep(const Archive &archive)
   {
-    dealii::types::particle_index first_free = 0;
-    for (const auto &particle : particle_handler)
-      first_free = std::max(first_free, particle.get_id() + 1);
-    reserve_ids_below(
-      dealii::Utilities::MPI::max(first_free,
-                                  mesh_.triangulation().get_communicator()));
+    const MPI_Comm communicator = mesh_.triangulation().get_communicator();
+    archive.value("first id", first_id);
+    std::vector<dealii::types::particle_index> created =
+      dealii::Utilities::MPI::all_gather(communicator, n_created);
+    const auto n_ranks = created.size();
+    archive.value("ids of ranks", created);
+    if (created.size() == n_ranks)
+      n_created =
+        created[dealii::Utilities::MPI::this_mpi_process(communicator)];
+    else // other ranks than those that gave the ids
+      reserve_ids_below(first_id +
+                        *std::max_element(created.begin(), created.end()) *
+                          created.size());
   }
 
 

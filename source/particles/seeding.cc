@@ -5,11 +5,8 @@
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/lac/vector.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace Thalweg
 {
@@ -64,28 +61,6 @@ namespace Thalweg
         }
       return reference;
     }
-
-    /**
-     * The place of each owned cell in the order of p4est's forest, counted
-     * over all ranks. Unlike `global_active_cell_index()`, which counts level
-     * by level on each rank, it does not depend on the partition.
-     */
-    template <int dim>
-    std::vector<std::uint64_t>
-    forest_order(const Mesh<dim> &mesh)
-    {
-      const auto                                          &graph = mesh.graph();
-      std::vector<std::pair<dealii::CellId, unsigned int>> cells;
-      cells.reserve(graph.n_owned_cells());
-      for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
-        cells.emplace_back(graph.iterator(i)->id(), i);
-      std::sort(cells.begin(), cells.end());
-
-      std::vector<std::uint64_t> order(cells.size());
-      for (unsigned int k = 0; k < cells.size(); ++k)
-        order[cells[k].second] = graph.cell(0).global_index + k;
-      return order;
-    }
   } // namespace
 
 
@@ -134,8 +109,7 @@ namespace Thalweg
                          "coarser mesh, or use a deal.II with 64-bit "
                          "indices."));
 
-    const auto order   = forest_order(mesh);
-    auto      &handler = population.handler();
+    auto &handler = population.handler();
     handler.reserve(std::size_t(mesh.graph().n_owned_cells()) * n_per_cell);
     dealii::Vector<double>                            value(dim);
     std::array<double, Population<dim>::n_properties> properties;
@@ -155,12 +129,13 @@ namespace Thalweg
               properties[Population<dim>::velocity_offset + d] = value[d];
             properties[Population<dim>::level_set_offset] =
               level_set.value(position);
-            handler.insert_particle(position,
-                                    reference,
-                                    order[i] * n_per_cell + k,
-                                    cell,
-                                    dealii::ArrayView<const double>(
-                                      properties.data(), properties.size()));
+            handler.insert_particle(
+              position,
+              reference,
+              mesh.graph().cell(i).global_index * n_per_cell + k,
+              cell,
+              dealii::ArrayView<const double>(properties.data(),
+                                              properties.size()));
           }
       }
     handler.update_cached_numbers();

@@ -1,3 +1,4 @@
+#include <thalweg/core/compat.h>
 #include <thalweg/fields/q1_integrals.h>
 #include <thalweg/simulation/flow_quantities.h>
 
@@ -84,7 +85,8 @@ namespace Thalweg
     /// Integrals in the flow's own space; speeds at its nodes.
     template <int dim>
     Quantities<dim>
-    integrate(const FlowFields<dim>        &flow,
+    integrate(const CellGraph<dim>         &graph,
+              const FlowFields<dim>        &flow,
               const dealii::Tensor<1, dim> &gravity)
     {
       const auto                         &fe = flow.velocity_dofs.get_fe();
@@ -98,24 +100,25 @@ namespace Thalweg
       dealii::Vector<double>              nodal_values(fe.dofs_per_cell);
       std::vector<dealii::Tensor<1, dim>> velocities(quadrature.size());
       Quantities<dim>                     sums;
-      for (const auto &cell : flow.velocity_dofs.active_cell_iterators())
-        if (cell->is_locally_owned())
-          {
-            values.reinit(cell);
-            values[dealii::FEValuesExtractors::Vector(0)].get_function_values(
-              flow.velocity, velocities);
-            for (unsigned int q = 0; q < quadrature.size(); ++q)
-              {
-                const double mass = flow.density * values.JxW(q);
-                sums.kinetic_energy += .5 * mass * velocities[q].norm_square();
-                sums.potential_energy -=
-                  mass * (gravity * values.quadrature_point(q));
-                sums.momentum += mass * velocities[q];
-              }
-            cell->get_dof_values(flow.velocity, nodal_values);
-            sums.fastest[0] =
-              std::max(sums.fastest[0], fastest_at_nodes(fe, nodal_values));
-          }
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+        {
+          const auto cell =
+            Compat::on_dof_handler(graph.iterator(c), flow.velocity_dofs);
+          values.reinit(cell);
+          values[dealii::FEValuesExtractors::Vector(0)].get_function_values(
+            flow.velocity, velocities);
+          for (unsigned int q = 0; q < quadrature.size(); ++q)
+            {
+              const double mass = flow.density * values.JxW(q);
+              sums.kinetic_energy += .5 * mass * velocities[q].norm_square();
+              sums.potential_energy -=
+                mass * (gravity * values.quadrature_point(q));
+              sums.momentum += mass * velocities[q];
+            }
+          cell->get_dof_values(flow.velocity, nodal_values);
+          sums.fastest[0] =
+            std::max(sums.fastest[0], fastest_at_nodes(fe, nodal_values));
+        }
       return sums;
     }
   } // namespace
@@ -127,10 +130,11 @@ namespace Thalweg
                   const PhaseField<dim>        &phase,
                   const dealii::Tensor<1, dim> &gravity)
   {
-    Quantities<dim> sums = solution.flow == nullptr
-                             ? sum_at_nodes(solution, phase, gravity)
-                             : integrate(*solution.flow, gravity);
-    const MPI_Comm  communicator =
+    Quantities<dim> sums =
+      solution.flow == nullptr
+        ? sum_at_nodes(solution, phase, gravity)
+        : integrate(solution.mesh.graph(), *solution.flow, gravity);
+    const MPI_Comm communicator =
       solution.mesh.triangulation().get_communicator();
     const auto sum = [&](const double value) {
       return dealii::Utilities::MPI::sum(value, communicator);

@@ -4,6 +4,7 @@
 #include <thalweg/core/section.h>
 #include <thalweg/simulation/program.h>
 #include <thalweg/simulation/run_directory.h>
+#include <thalweg/simulation/settings.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <deal.II/base/exceptions.h>
@@ -114,15 +115,21 @@ namespace Thalweg
       else if (directory.empty())
         directory =
           "output/" + std::filesystem::path(options.file).stem().string();
+      context.resumed = options.resume;
+      if (context.resumed)
+        CheckpointStore::expect_any(directory);
       prepare_run_directory(context, directory, options.file, prm);
 
       context.log.line("Thalweg " THALWEG_VERSION ", " +
                        processes(communicator) + "; results go to " +
                        directory + "/");
-      Simulation<dim> simulation(communicator, parameters, context);
-      simulation.run();
+      Simulation<dim> simulation(communicator,
+                                 parameters,
+                                 context,
+                                 settings_of(prm));
+      const int       signal = simulation.run();
       context.log.line("The results are in " + directory + "/");
-      return 0;
+      return signal == 0 ? 0 : 128 + signal;
     }
   } // namespace
 
@@ -136,11 +143,6 @@ namespace Thalweg
           std::cout << (options.help ? help_text() : version_text());
         return 0;
       }
-    AssertThrow(!options.resume,
-                dealii::ExcMessage(
-                  "This version cannot go on from a checkpoint yet. Run "
-                  "without --resume; the run then starts from time 0."));
-
     // A dimension that does not exist is reported with the other faults, as
     // those of two dimensions.
     const ParameterFile input = read_input(options);

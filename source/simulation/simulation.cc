@@ -1,10 +1,9 @@
-#include <thalweg/fields/expression.h>
-#include <thalweg/fields/interpolation.h>
-#include <thalweg/interface/sampled_volume.h>
+#include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
+#include <csignal>
 #include <sstream>
 
 namespace Thalweg
@@ -39,38 +38,6 @@ namespace Thalweg
       "momentum z [kg m/s]",
       "max velocity 1 [m/s]",
       "max velocity 2 [m/s]"};
-
-
-
-    /// The initial level set as particles carry it: cut off at a distance,
-    /// or with that distance wherever it is not zero.
-    template <int dim>
-    class CarriedLevelSet : public dealii::Function<dim>
-    {
-    public:
-      CarriedLevelSet(const dealii::Function<dim> &function,
-                      const bool                   sign_only,
-                      const double                 band)
-        : function(function)
-        , sign_only(sign_only)
-        , band(band)
-      {}
-
-      double
-      value(const dealii::Point<dim> &x,
-            const unsigned int        component = 0) const override
-      {
-        const double phi = function.value(x, component);
-        if (sign_only)
-          return phi < 0 ? -1. : 1.;
-        return std::max(-band, std::min(band, phi));
-      }
-
-    private:
-      const dealii::Function<dim> &function;
-      const bool                   sign_only;
-      const double                 band;
-    };
   } // namespace
 
 
@@ -78,11 +45,15 @@ namespace Thalweg
   template <int dim>
   Simulation<dim>::Simulation(const MPI_Comm             communicator,
                               SimulationParameters<dim> &parameters,
-                              Context                   &context)
+                              Context                   &context,
+                              const Settings            &settings)
     : parameters(parameters)
     , context(context)
+    , settings(settings)
+    , checkpoints(context)
     , mesh(communicator)
     , progress(context)
+    , saved_at(std::chrono::steady_clock::now())
   {}
 
 
@@ -93,110 +64,27 @@ namespace Thalweg
 
 
   template <int dim>
-  double
-  Simulation<dim>::carried_distance() const
+  void
+  Simulation<dim>::make_adaptation()
   {
-    if (parameters.particles_carry == "sign")
-      return 1.;
-    return parameters.distance_band *
-           dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
-                                       context.communicator);
+    adaptation = std::make_unique<MeshAdaptation<dim>>(
+      parameters, context, mesh, *parts, postprocessors, [this]() {
+        return view();
+      });
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::initialize()
+  Simulation<dim>::start()
   {
+    dealii::TimerOutput::Scope scope(context.timers, "setup");
     mesh.create(parameters.mesh);
-    parameters.forces.initialize();
-    space = std::make_unique<NodeSpace<dim>>(mesh);
-    conditions =
-      std::make_unique<BoundaryConditions<dim>>(parameters.boundary_conditions,
-                                                mesh);
-    boundary   = std::make_unique<BoundaryNodes<dim>>(*space, *conditions);
-    population = std::make_unique<Population<dim>>(mesh);
-
-    std::map<dealii::types::boundary_id, WallKind> walls;
-    std::map<dealii::types::boundary_id, double>   inflow;
-    for (const auto &[id, condition] : conditions->all())
-      {
-        const bool passable = condition.kind == BoundaryKind::open ||
-                              condition.kind == BoundaryKind::velocity;
-        walls[id] = passable ? WallKind::open : WallKind::wall;
-        if (passable)
-          inflow[id] =
-            carried_distance() *
-            Fluids::sign(condition.inflow_fluid.empty()
-                           ? parameters.fluids.size() - 1
-                           : parameters.fluids.index(condition.inflow_fluid));
-      }
-    convection =
-      std::make_unique<StreamlineConvection<dim>>(mesh,
-                                                  parameters.convection,
-                                                  walls);
-    paths = std::make_unique<PathConvection<dim>>(mesh,
-                                                  parameters.convection,
-                                                  walls);
-    parameters.population.level_set_is_sign =
-      parameters.particles_carry == "sign";
-    control = std::make_unique<PopulationControl<dim>>(parameters.population,
-                                                       *convection,
-                                                       inflow);
-    phase   = std::make_unique<PhaseField<dim>>(*space,
-                                              parameters.fluids,
-                                              parameters.interface);
-    parameters.fluid_solver->initialize(
-      context, *space, *boundary, *phase, parameters.forces);
-
-    const auto velocity = parse_expression<dim>(parameters.initial_velocity,
-                                                dim,
-                                                "Initial conditions/Velocity");
-    const auto level_set =
-      parse_expression<dim>(parameters.initial_level_set,
-                            1,
-                            "Initial conditions/Level set");
-    seed(*population,
-         parameters.seeding,
-         *velocity,
-         CarriedLevelSet<dim>(*level_set,
-                              parameters.particles_carry == "sign",
-                              carried_distance()));
-
-    if (parameters.fluids.size() == 2)
-      phase->target_volume = sampled_negative_volume<dim>(mesh.graph(),
-                                                          *level_set,
-                                                          context.communicator);
-
-    Vector initial_velocity, initial_level_set;
-    space->initialize_velocity(initial_velocity);
-    space->initialize_scalar(initial_level_set);
-    interpolate_function(*space, *velocity, initial_velocity);
-    interpolate_function(*space,
-                         static_cast<const dealii::Function<dim> &>(*level_set),
-                         initial_level_set);
-    boundary->apply(initial_velocity);
-    space->interpolate(initial_velocity, dim);
-    parameters.method->initialize({context,
-                                   mesh,
-                                   *space,
-                                   parameters.fluids,
-                                   parameters.forces,
-                                   *conditions,
-                                   *boundary,
-                                   *population,
-                                   *convection,
-                                   *control,
-                                   *parameters.projection,
-                                   *phase,
-                                   *parameters.fluid_solver,
-                                   *paths,
-                                   velocity.get()},
-                                  initial_velocity,
-                                  initial_level_set);
-    if (phase->target_volume == 0)
-      phase->target_volume = phase->volume();
+    parts = std::make_unique<SimulationParts<dim>>(parameters, context, mesh);
+    make_adaptation();
+    parts->set_initial_state();
+    adaptation->adapt_to_initial_state();
   }
 
 
@@ -206,12 +94,12 @@ namespace Thalweg
   Simulation<dim>::view() const
   {
     return {mesh,
-            *space,
+            parts->nodes(),
             parameters.fluids,
-            *population,
+            parts->particles(),
             parameters.fluid_solver->velocity(),
             parameters.fluid_solver->pressure(),
-            phase->level_set(),
+            parts->phases().level_set(),
             time,
             last_dt,
             parameters.method->velocity_time(time),
@@ -240,7 +128,7 @@ namespace Thalweg
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const double u =
-                  velocity.local_element(dim * space->nodes(c)[v] + d);
+                  velocity.local_element(dim * parts->nodes().nodes(c)[v] + d);
                 sum =
                   std::max(sum, std::abs(u) * graph.cell(c).inverse_extent[d]);
                 squares += u * u;
@@ -258,60 +146,144 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::run()
+  Simulation<dim>::announce()
   {
-    context.statistics.declare(leading_columns);
-    if (context.is_root && !context.output_directory.empty())
-      context.statistics.open(context.output_directory + "/statistics.csv");
-    {
-      dealii::TimerOutput::Scope scope(context.timers, "setup");
-      initialize();
-    }
     context.log.line(
       std::to_string(mesh.triangulation().n_global_active_cells()) +
-      " cells, " + std::to_string(space->n_dofs()) + " degrees of freedom, " +
-      std::to_string(population->n_global_particles()) + " particles on " +
+      " cells, " + std::to_string(parts->nodes().n_dofs()) +
+      " degrees of freedom, " +
+      std::to_string(parts->particles().n_global_particles()) +
+      " particles on " +
       std::to_string(
         dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
       " processes");
-    const TimeControl::Viscous viscous{fourier_rate(parameters.fluids, mesh),
-                                       parameters.method->fourier_limit()};
-    const std::string          warning = parameters.time.warning(viscous);
+    const std::string warning =
+      parameters.time.warning({fourier_rate(parameters.fluids, mesh),
+                               parameters.method->fourier_limit()});
     if (!warning.empty())
       context.log.warning(warning);
-    const auto postprocessors = parameters.postprocessors.chosen();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::postprocess()
+  {
+    dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
+    for (Postprocessor<dim> *postprocessor : postprocessors)
+      postprocessor->execute(context, view());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::choose_step()
+  {
+    viscous = {fourier_rate(parameters.fluids, mesh),
+               parameters.method->fourier_limit()};
+    rate    = courant_rate(parameters.method->velocity());
+    dt      = parameters.time.next_step(time, rate, usual_dt, viscous);
+    check_courant_number(rate * dt);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::advance()
+  {
+    constexpr unsigned int most_halvings = 4;
+    before_step.save(*parts);
+    for (unsigned int n_halvings = 0;; ++n_halvings)
+      try
+        {
+          parameters.method->advance(time, dt);
+          break;
+        }
+      catch (const SolverFailure &failure)
+        {
+          before_step.restore(*parts);
+          if (n_halvings == most_halvings)
+            {
+              save();
+              throw;
+            }
+          dt *= .5;
+          std::ostringstream message;
+          message << "Step " << step + 1 << " (t = " << time
+                  << " s) failed: " << failure.what()
+                  << " It is repeated with half the size, " << dt << " s.";
+          context.log.warning(message.str());
+        }
+    time += dt;
+    last_dt = dt;
+    // A step cut short to hit a time does not hold back the next one.
+    usual_dt = std::max(dt, usual_dt / 2.);
+    ++step;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::begin(const CheckpointOutline &checkpoint)
+  {
+    context.statistics.declare(leading_columns);
+    if (context.is_root && !context.output_directory.empty())
+      context.statistics.open(context.output_directory + "/statistics.csv",
+                              context.resumed);
+    if (context.resumed)
+      load_mesh(checkpoint);
+    else
+      {
+        checkpoints.set_aside();
+        start();
+      }
+    postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
         postprocessor->check({mesh, parameters.fluids});
         postprocessor->initialize(context, view());
       }
-    {
-      dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
-      for (Postprocessor<dim> *postprocessor : postprocessors)
-        postprocessor->execute(context, view());
-    }
+    if (context.resumed)
+      load_state(checkpoint);
+    announce();
+    if (!context.resumed)
+      postprocess();
+  }
 
-    double old_dt = 0.; // none yet
-    while (!parameters.time.is_over(time, step))
+
+
+  template <int dim>
+  int
+  Simulation<dim>::run()
+  {
+    StopSignals       signals;
+    StopSignals::Wish wish = StopSignals::Wish::nothing;
+    CheckpointOutline checkpoint;
+    if (context.resumed)
       {
-        const double rate = courant_rate(parameters.method->velocity());
-        const double dt =
-          parameters.time.next_step(time, rate, old_dt, viscous);
-        check_courant_number(rate * dt);
-        parameters.method->advance(time, dt);
-        time += dt;
-        last_dt = dt;
-        // A step cut short to hit a time does not hold back the next one.
-        old_dt = std::max(dt, old_dt / 2.);
-        ++step;
-        context.statistics.set("Courant number", rate * dt);
-        context.statistics.set("Fourier number", viscous.rate * dt);
-        record(dt);
-        {
-          dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
-          for (Postprocessor<dim> *postprocessor : postprocessors)
-            postprocessor->execute(context, view());
-        }
+        checkpoint = checkpoints.find_newest();
+        if (parameters.time.is_over(checkpoint.time, checkpoint.step))
+          {
+            context.log.warning("The run has ended already. To go on, write a "
+                                "later 'Time/End time'.");
+            return 0;
+          }
+      }
+    begin(checkpoint);
+    while (!parameters.time.is_over(time, step) &&
+           wish != StopSignals::Wish::stop)
+      {
+        choose_step();
+        if (adaptation->before_step(step, dt))
+          choose_step();
+        advance();
+        wish = signals.wish(context.communicator);
+        record();
+        postprocess();
         progress.report(step,
                         time,
                         parameters.time.end_time(),
@@ -320,8 +292,15 @@ namespace Thalweg
                         context.statistics.get("particles"),
                         parameters.time.is_over(time, step));
         context.statistics.end_row();
+        save_if_due(wish);
       }
     progress.summarize(step);
+    if (wish != StopSignals::Wish::stop)
+      return 0;
+    context.log.warning("Stopped by SIGTERM after step " +
+                        std::to_string(step) +
+                        ". To go on, run again with --resume.");
+    return SIGTERM;
   }
 
 
@@ -346,23 +325,27 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::record(const double dt)
+  Simulation<dim>::record()
   {
-    auto &statistics = context.statistics;
+    auto                  &statistics = context.statistics;
+    const PhaseField<dim> &phase      = parts->phases();
     statistics.set("step", step);
     statistics.set("time [s]", time);
     statistics.set("dt [s]", dt);
+    statistics.set("Courant number", rate * dt);
+    statistics.set("Fourier number", viscous.rate * dt);
     statistics.set("cells", mesh.triangulation().n_global_active_cells());
-    statistics.set("dofs", space->n_dofs());
-    statistics.set("volume 1 before shift [m^d]", phase->volume_before_shift());
-    statistics.set("volume 1 [m^d]", phase->volume());
-    statistics.set("volume 2 [m^d]", phase->total_volume() - phase->volume());
-    statistics.set("target volume 1 [m^d]", phase->target_volume);
-    statistics.set("level set shift", phase->shift());
+    statistics.set("dofs", parts->nodes().n_dofs());
+    statistics.set("volume 1 before shift [m^d]", phase.volume_before_shift());
+    statistics.set("volume 1 [m^d]", phase.volume());
+    statistics.set("volume 2 [m^d]", phase.total_volume() - phase.volume());
+    statistics.set("target volume 1 [m^d]", phase.target_volume);
+    statistics.set("level set shift", phase.shift());
     statistics.set("velocity time [s]", parameters.method->velocity_time(time));
     for (const auto &[name, value] :
-         flow_quantities(view(), *phase, parameters.forces.gravity()))
+         flow_quantities(view(), phase, parameters.forces.gravity()))
       statistics.set(name, value);
+    adaptation->record();
     for (const auto &[name, seconds] :
          context.timers.get_summary_data(dealii::TimerOutput::total_wall_time))
       {

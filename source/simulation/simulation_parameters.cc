@@ -1,6 +1,6 @@
 #include <thalweg/core/errors.h>
 #include <thalweg/fields/expression.h>
-#include <thalweg/simulation/simulation.h>
+#include <thalweg/simulation/simulation_parameters.h>
 
 namespace Thalweg
 {
@@ -32,6 +32,7 @@ namespace Thalweg
     adaptive.declare_parameters(root);
     balance.declare_parameters(root);
     time.declare_parameters(root);
+    checkpoint.declare_parameters(root);
     fluids.declare_parameters(root);
     forces.declare_parameters(root);
     {

@@ -124,7 +124,7 @@ namespace Thalweg
           add(nodes[v], geometry.vertices[v], v, 1.);
         for (unsigned int k = hanging.first; k < hanging.second; ++k)
           {
-            const auto &entry    = space.dependences()[k];
+            const auto &entry    = space.dependences().all()[k];
             auto        position = space.position(entry.master);
             // The nearest image of a master behind a periodic boundary.
             for (const auto &offset : space.mesh().graph().periodic_offsets())

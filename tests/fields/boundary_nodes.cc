@@ -172,7 +172,7 @@ TYPED_TEST(BoundaryNodesMpi, OpenNodesAreThoseOfTheBoundary)
 {
   constexpr int     dim = TypeParam::value;
   const Scene<dim>  scene(hanging_box<dim>(4) + all_kinds<dim>());
-  std::vector<bool> is_open(scene.space->scalar_layout()->locally_owned_size(),
+  std::vector<bool> is_open(scene.space->scalar_layout().locally_owned_size(),
                             false);
   for (const auto &node : scene.boundary->pressure_nodes())
     {

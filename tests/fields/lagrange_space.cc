@@ -291,7 +291,7 @@ TYPED_TEST(LagrangeSpaceMpi, VertexValuesAreThoseOfTheField)
       Vector again = velocity;
       scene.space->interpolate(again, dim);
       for (unsigned int i = 0;
-           i < dim * scene.space->scalar_layout()->n_ghost_indices();
+           i < dim * scene.space->scalar_layout().n_ghost_indices();
            ++i)
         EXPECT_EQ(again.local_element(again.locally_owned_size() + i),
                   velocity.local_element(velocity.locally_owned_size() + i));

@@ -133,14 +133,14 @@ TYPED_TEST(NodeSpaceMpi, TellsHangingNodesFromPeriodicOnes)
   const Scene<dim> scene(periodic_hanging_box<dim>());
   const auto      &space     = *scene.space;
   unsigned int     n_hanging = 0;
-  for (unsigned int n = 0; n < space.scalar_layout()->locally_owned_size(); ++n)
+  for (unsigned int n = 0; n < space.scalar_layout().locally_owned_size(); ++n)
     {
       const auto [first, last] = space.hanging_masters(n);
       double weights           = 0;
       for (unsigned int k = first; k < last; ++k)
         {
-          EXPECT_EQ(space.dependences()[k].node, n);
-          weights += space.dependences()[k].weight;
+          EXPECT_EQ(space.dependences().all()[k].node, n);
+          weights += space.dependences().all()[k].weight;
         }
       if (first < last)
         {

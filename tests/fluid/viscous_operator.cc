@@ -226,7 +226,7 @@ TYPED_TEST(ViscousOperatorMpi, IsSymmetricAndPositive)
     {
       vector->zero_out_ghost_values();
       const auto &continuity = scene->space->scalar_layout();
-      for (unsigned int n = 0; n < continuity->locally_owned_size(); ++n)
+      for (unsigned int n = 0; n < continuity.locally_owned_size(); ++n)
         if (scene->space->is_dependent(n))
           for (unsigned int d = 0; d < dim; ++d)
             vector->local_element(dim * n + d) = 0.;

@@ -102,7 +102,7 @@ struct Scene
   void
   for_each_node(const Visitor &visit) const
   {
-    const unsigned int n_owned = space->scalar_layout()->locally_owned_size();
+    const unsigned int n_owned = space->scalar_layout().locally_owned_size();
     for (unsigned int n = 0; n < n_owned; ++n)
       if (!space->is_dependent(n))
         visit(n, space->position(n));

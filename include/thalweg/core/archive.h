@@ -35,6 +35,10 @@ namespace Thalweg
     static Archive
     restore(const std::string &bytes);
 
+    /// The same values, to be read.
+    Archive
+    reader() const;
+
     /// An archive that neither takes nor gives: values stay as they are.
     static Archive
     nowhere();

@@ -24,7 +24,8 @@ namespace Thalweg
 #if DEAL_II_VERSION_GTE(9, 6, 0)
     using CellStatus = dealii::CellStatus;
 
-    inline CellFate
+    template <int>
+    CellFate
     fate(const CellStatus status)
     {
       if (status == CellStatus::cell_will_persist)
@@ -62,11 +63,7 @@ namespace Thalweg
     {
       return triangulation.signals.weight.connect(
         [weight](const auto &cell, const auto status) -> unsigned int {
-#if DEAL_II_VERSION_GTE(9, 6, 0)
-          return weight(cell, fate(status));
-#else
           return weight(cell, fate<dim>(status));
-#endif
         });
     }
   } // namespace Compat

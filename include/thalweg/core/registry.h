@@ -178,6 +178,13 @@ namespace Thalweg
       return list;
     }
 
+    /// Their names, in the same order.
+    const std::vector<std::string> &
+    chosen_names() const
+    {
+      return names;
+    }
+
   private:
     std::vector<std::string>                          names;
     std::map<std::string, std::unique_ptr<Interface>> models;

@@ -76,6 +76,16 @@ namespace Thalweg
       return part;
     }
 
+    /// For parts whose fields belong to this state, but whose values are
+    /// kept in @p other.
+    State
+    with(const Archive &other) const
+    {
+      State part(*this);
+      part.archive = other;
+      return part;
+    }
+
     /// All fields that were named.
     const std::vector<CarriedField<dim>> &
     fields() const

@@ -3,6 +3,7 @@
 
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/state.h>
 #include <thalweg/fluid/body_forces.h>
 #include <thalweg/interface/phase_field.h>
 
@@ -21,7 +22,8 @@ namespace Thalweg
     virtual void
     declare_parameters(const Section &section) = 0;
 
-    /// Sets up for the present mesh. All references must outlive the solver.
+    /// Sets up for the present mesh, with zero fields; once for each mesh. All
+    /// references must outlive the solver, or its next initialize().
     virtual void
     initialize(Context                  &context,
                const NodeSpace<dim>     &space,
@@ -37,6 +39,10 @@ namespace Thalweg
      */
     virtual void
     solve(const Vector &velocity_star, const double dt) = 0;
+
+    /// Names what the next step starts from.
+    virtual void
+    keep(const State<dim> &state) = 0;
 
     /// V^{n+1}, ghosted, m/s.
     virtual Vector &

@@ -33,6 +33,13 @@ namespace Thalweg
     void
     solve(const Vector &velocity_star, const double dt) override;
 
+    void
+    keep(const State<dim> &state) override
+    {
+      state.field("velocity", *space, v, dim);
+      state.field("pressure", *space, p.nodal, 1);
+    }
+
     Vector &
     velocity() override
     {

@@ -2,6 +2,7 @@
 #define thalweg_fluid_single_fluid_flow_h
 
 #include <thalweg/fields/flow_fields.h>
+#include <thalweg/fields/state.h>
 #include <thalweg/fluid/boundary_reaction.h>
 #include <thalweg/fluid/incremental_step.h>
 #include <thalweg/fluid/single_fluid_flow_parameters.h>
@@ -59,6 +60,10 @@ namespace Thalweg
     /// Takes what was solved for as the state.
     void
     end_step();
+
+    /// What the next step starts from, and its solvers' first guesses.
+    void
+    keep(const State<dim> &state);
 
     const LagrangeSpace<dim> &
     space() const

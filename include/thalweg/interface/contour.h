@@ -14,7 +14,7 @@ namespace Thalweg
   template <int dim>
   struct ContourPatch
   {
-    /// `global_active_cell_index()` of the cell.
+    /// The global index of the cell in the CellGraph.
     dealii::types::global_cell_index cell;
     /// The cell's corners, or their images in a periodic domain.
     std::array<dealii::Point<dim>, (1 << dim)> vertices;

@@ -18,9 +18,11 @@ namespace Thalweg
    *
    * Particles walk through millions of cells a step; this copy of what they
    * need costs one pass after each change of the mesh and spares them the
-   * triangulation. Cells are numbered with the locally owned ones first, in
-   * the order of the triangulation (which is that of
-   * `global_active_cell_index()`), then the ghost cells.
+   * triangulation. Cells are numbered with the locally owned ones first, then
+   * the ghost cells, both along p4est's space-filling curve. Unlike the order
+   * of the triangulation this one only depends on the mesh as it is, not on
+   * how it was refined and coarsened: sums over cells have the same bits
+   * before and after a restart.
    */
   template <int dim>
   class CellGraph
@@ -70,7 +72,7 @@ namespace Thalweg
       std::array<Face, n_faces> faces;
       /// The rank that owns the cell.
       dealii::types::subdomain_id owner;
-      /// `global_active_cell_index()`.
+      /// The place on p4est's curve through all cells of all ranks.
       dealii::types::global_cell_index global_index;
     };
 
@@ -122,7 +124,7 @@ namespace Thalweg
       return index_of_active_cell[active_cell_index];
     }
 
-    /// The number of the locally owned cell with this global active index.
+    /// The number of the locally owned cell with this global index.
     unsigned int
     owned_index(const dealii::types::global_cell_index global_index) const
     {
@@ -160,6 +162,11 @@ namespace Thalweg
   private:
     void
     add_cell(const CellIterator &cell);
+
+    /// Numbers the cells over all ranks. Collective.
+    void
+    number_globally(
+      const dealii::parallel::distributed::Triangulation<dim> &tria);
 
     Face
     face_behind(const CellIterator &cell, const unsigned int face_no);

@@ -9,6 +9,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <boost/signals2.hpp>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -104,6 +105,11 @@ namespace Thalweg
     {
       return periodic;
     }
+
+    /// A number that tells the coarse mesh from others: a checksum of its
+    /// corners and boundary ids.
+    std::uint64_t
+    coarse_checksum() const;
 
     /// To be called when the triangulation was changed from outside.
     void

@@ -22,9 +22,21 @@ namespace Thalweg
     check() const override;
 
     void
-    initialize(const Parts<dim> &parts,
-               const Vector     &initial_velocity,
-               const Vector     &initial_level_set) override;
+    attach(const Parts<dim> &parts) override;
+
+    void
+    initialize(const dealii::Function<dim> &velocity,
+               const Vector                &initial_velocity,
+               const Vector                &initial_level_set) override;
+
+    void
+    keep(const State<dim> &state) override;
+
+    void
+    update() override;
+
+    void
+    repopulate() override;
 
     void
     advance(const double time, const double dt) override;

@@ -5,6 +5,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/flow_fields.h>
+#include <thalweg/fields/state.h>
 #include <thalweg/fluid/fluid_solver.h>
 #include <thalweg/interface/phase_field.h>
 #include <thalweg/particles/path_convection.h>
@@ -34,8 +35,6 @@ namespace Thalweg
     PhaseField<dim>                 &phase;
     FluidSolver<dim>                &flow;
     const PathConvection<dim>       &paths;
-    /// At the start, m/s; only valid when a method is initialized.
-    const dealii::Function<dim> *initial_velocity = nullptr;
   };
 
   /**
@@ -58,15 +57,36 @@ namespace Thalweg
     {}
 
     /**
+     * @brief Sets up for the present mesh, with zero fields; once for each
+     * mesh.
+     * @param parts must outlive the method, or its next attach()
+     */
+    virtual void
+    attach(const Parts<dim> &parts) = 0;
+
+    /**
      * @brief Prepares the first step.
-     * @param parts must outlive the method
-     * @param initial_velocity m/s, ghosted
+     * @param velocity at the start, m/s
+     * @param initial_velocity the same at the nodes, ghosted
      * @param initial_level_set ghosted
      */
     virtual void
-    initialize(const Parts<dim> &parts,
-               const Vector     &initial_velocity,
-               const Vector     &initial_level_set) = 0;
+    initialize(const dealii::Function<dim> &velocity,
+               const Vector                &initial_velocity,
+               const Vector                &initial_level_set) = 0;
+
+    /// Names what the next step starts from.
+    virtual void
+    keep(const State<dim> &state) = 0;
+
+    /// Finds what follows from the state, when that was carried to another
+    /// mesh or restored.
+    virtual void
+    update() = 0;
+
+    /// Adds and removes particles where the mesh has changed.
+    virtual void
+    repopulate() = 0;
 
     /// From @p time to @p time + @p dt, in s. @throws SolverFailure
     virtual void

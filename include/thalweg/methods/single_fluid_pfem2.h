@@ -23,9 +23,21 @@ namespace Thalweg
     check() const override;
 
     void
-    initialize(const Parts<dim> &parts,
-               const Vector     &initial_velocity,
-               const Vector     &initial_level_set) override;
+    attach(const Parts<dim> &parts) override;
+
+    void
+    initialize(const dealii::Function<dim> &velocity,
+               const Vector                &initial_velocity,
+               const Vector                &initial_level_set) override;
+
+    void
+    keep(const State<dim> &state) override;
+
+    void
+    update() override;
+
+    void
+    repopulate() override;
 
     void
     advance(const double time, const double dt) override;
@@ -66,6 +78,7 @@ namespace Thalweg
 
     std::unique_ptr<Parts<dim>>           parts;
     std::unique_ptr<SingleFluidFlow<dim>> flow;
+    Vector                                level_set;
     PopulationSnapshot<dim>               particles_at_start;
     PathFields<dim>                       path;
     Vector begin_acceleration, end_acceleration, acceleration_at_start;

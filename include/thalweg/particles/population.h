@@ -1,6 +1,7 @@
 #ifndef thalweg_particles_population_h
 #define thalweg_particles_population_h
 
+#include <thalweg/core/archive.h>
 #include <thalweg/mesh/mesh.h>
 
 #include <deal.II/particles/particle_handler.h>
@@ -63,10 +64,9 @@ namespace Thalweg
     void
     reserve_ids_below(const dealii::types::particle_index first_free);
 
-    /// Reserves the ids of all particles that exist. Collective; to be called
-    /// when particles were read from a file.
+    /// Names which ids were given so far. Collective.
     void
-    reserve_used_ids();
+    keep(const Archive &archive);
 
     /// The number of particles on all ranks. Collective.
     dealii::types::particle_index

@@ -4,6 +4,8 @@
 #include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/population.h>
 
+#include <deal.II/base/array_view.h>
+
 #include <vector>
 
 namespace Thalweg
@@ -34,6 +36,14 @@ namespace Thalweg
      */
     void
     restore(Population<dim> &population) const;
+
+    /// The particles that were in the owned cell @p cell.
+    dealii::ArrayView<const ParticleRecord<dim>>
+    in_cell(const unsigned int cell) const
+    {
+      return {particles.data() + begin_of_cell[cell],
+              begin_of_cell[cell + 1] - begin_of_cell[cell]};
+    }
 
   private:
     std::vector<ParticleRecord<dim>> particles;

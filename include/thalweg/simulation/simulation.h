@@ -1,57 +1,21 @@
 #ifndef thalweg_simulation_simulation_h
 #define thalweg_simulation_simulation_h
 
-#include <thalweg/adaptation/adaptive_refinement.h>
-#include <thalweg/adaptation/load_balance.h>
-#include <thalweg/methods/method.h>
-#include <thalweg/particles/seeding.h>
-#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/simulation/checkpoint_store.h>
+#include <thalweg/simulation/mesh_adaptation.h>
 #include <thalweg/simulation/progress.h>
-#include <thalweg/simulation/time_control.h>
+#include <thalweg/simulation/simulation_parts.h>
+#include <thalweg/simulation/step_snapshot.h>
+#include <thalweg/simulation/stop_signals.h>
 
+#include <chrono>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
-  /// Everything that the input file sets.
-  template <int dim>
-  struct SimulationParameters
-  {
-    /// Declares all sections.
-    void
-    declare(const Section &root);
-
-    /// Appends every fault that can be found without running to @p faults:
-    /// fluids, expressions, times, and on the coarse mesh boundary names and
-    /// what the postprocessors look at.
-    void
-    check(std::vector<std::string> &faults) const;
-
-    MeshParameters<dim>         mesh;
-    AdaptiveRefinement<dim>     adaptive;
-    LoadBalance<dim>            balance;
-    TimeControl                 time;
-    Fluids                      fluids;
-    BodyForces<dim>             forces;
-    BoundaryConditionParameters boundary_conditions;
-    std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";
-    std::string initial_level_set = "1";
-    /// "sign" or "distance"
-    std::string particles_carry = "distance";
-    /// In smallest cell sizes: greater distances are cut off there.
-    double                      distance_band = 1.;
-    SeedingParameters           seeding;
-    ConvectionParameters        convection;
-    PopulationParameters<dim>   population;
-    InterfaceParameters         interface;
-    Choice<Projection<dim>>     projection;
-    Choice<FluidSolver<dim>>    fluid_solver;
-    Choice<Method<dim>>         method;
-    Choices<Postprocessor<dim>> postprocessors;
-  };
-
   /**
    * @brief Builds the parts from the input and runs.
    */
@@ -60,14 +24,19 @@ namespace Thalweg
   {
   public:
     /// @param parameters checked; must outlive the simulation
+    /// @param settings the same as text, to be compared with those of a
+    ///   checkpoint
     Simulation(const MPI_Comm             communicator,
                SimulationParameters<dim> &parameters,
-               Context                   &context);
+               Context                   &context,
+               const Settings            &settings = {});
 
     ~Simulation();
 
-    /// From the start to the end time.
-    void
+    /// From the start, or from the last checkpoint, to the end time or a
+    /// signal to stop.
+    /// @return 0, or the number of the signal
+    int
     run();
 
     /// The state as postprocessors see it.
@@ -75,12 +44,60 @@ namespace Thalweg
     view() const;
 
   private:
+    /// All that comes before the first step.
+    /// @param checkpoint to go on from, if the run is resumed
     void
-    initialize();
+    begin(const CheckpointOutline &checkpoint);
 
-    /// The largest level set value that particles carry. Collective.
-    double
-    carried_distance() const;
+    /// Makes mesh and state at the start.
+    void
+    start();
+
+    void
+    make_adaptation();
+
+    /// Makes mesh and parts of a checkpoint, but not yet its state.
+    void
+    load_mesh(const CheckpointOutline &checkpoint);
+
+    /// Reads the state of a checkpoint whose mesh was loaded.
+    void
+    load_state(const CheckpointOutline &checkpoint);
+
+    /// @throws dealii::ExcMessage if @p checkpoint is of another mesh or for
+    ///   other fluids or methods
+    void
+    check(const CheckpointOutline &checkpoint) const;
+
+    /// Writes a checkpoint. Collective.
+    void
+    save();
+
+    /// Writes a checkpoint if it is time to. Collective.
+    /// @param wish what a signal said
+    void
+    save_if_due(const StopSignals::Wish wish);
+
+    /// Names what the run must know to go on.
+    void
+    keep(const State<dim> &state);
+
+    /// What the log says before the first step.
+    void
+    announce();
+
+    /// The next step as the parameters want it, and what its size follows
+    /// from.
+    void
+    choose_step();
+
+    /// One step, or what is left of it after failures. @throws SolverFailure
+    void
+    advance();
+
+    /// All postprocessors look at the solution.
+    void
+    postprocess();
 
     /// The Courant number of a step of one second, 1/s. Collective.
     double
@@ -91,25 +108,31 @@ namespace Thalweg
     check_courant_number(const double courant_number) const;
 
     void
-    record(const double dt);
+    record();
 
-    SimulationParameters<dim> &parameters;
-    Context                   &context;
-    Mesh<dim>                  mesh;
-    double                     time    = 0.;
-    double                     last_dt = 0.;
-    unsigned int               step    = 0;
-    Progress                   progress;
+    SimulationParameters<dim>        &parameters;
+    Context                          &context;
+    const Settings                    settings;
+    CheckpointStore                   checkpoints;
+    Mesh<dim>                         mesh;
+    std::vector<Postprocessor<dim> *> postprocessors;
+    double                            time    = 0.;
+    double                            last_dt = 0.;
+    /// As last_dt, but without what was cut off to hit a time; 0: none yet.
+    double       usual_dt = 0.;
+    unsigned int step     = 0;
+    /// The next step.
+    double               dt   = 0.;
+    double               rate = 0.;
+    TimeControl::Viscous viscous{0., 0.};
+    Progress             progress;
 
-    std::unique_ptr<NodeSpace<dim>>            space;
-    std::unique_ptr<BoundaryConditions<dim>>   conditions;
-    std::unique_ptr<BoundaryNodes<dim>>        boundary;
-    std::unique_ptr<Population<dim>>           population;
-    std::unique_ptr<StreamlineConvection<dim>> convection;
-    std::unique_ptr<PathConvection<dim>>       paths;
-    std::unique_ptr<PopulationControl<dim>>    control;
-    std::unique_ptr<PhaseField<dim>>           phase;
-    std::map<std::string, double>              timer_totals;
+    std::unique_ptr<SimulationParts<dim>> parts;
+    std::unique_ptr<MeshAdaptation<dim>>  adaptation;
+    StepSnapshot<dim>                     before_step;
+    std::map<std::string, double>         timer_totals;
+    unsigned int                          saved_step = 0;
+    std::chrono::steady_clock::time_point saved_at;
   };
 } // namespace Thalweg
 

@@ -1,0 +1,79 @@
+#ifndef thalweg_simulation_mesh_adaptation_h
+#define thalweg_simulation_mesh_adaptation_h
+
+#include <thalweg/simulation/simulation_parts.h>
+
+#include <boost/signals2/connection.hpp>
+#include <functional>
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief Changes the mesh between two steps, and everything that stands on
+   * it with it.
+   */
+  template <int dim>
+  class MeshAdaptation
+  {
+  public:
+    /// All arguments must outlive the object.
+    /// @param view the present solution
+    MeshAdaptation(SimulationParameters<dim>                &parameters,
+                   Context                                  &context,
+                   Mesh<dim>                                &mesh,
+                   SimulationParts<dim>                     &parts,
+                   const std::vector<Postprocessor<dim> *>  &postprocessors,
+                   const std::function<SolutionView<dim>()> &view);
+
+    ~MeshAdaptation();
+
+    /// Adapts the mesh to the initial state, as often as needed. Collective.
+    void
+    adapt_to_initial_state();
+
+    /**
+     * @brief Adapts or repartitions the mesh if that is due or cannot wait.
+     * Collective.
+     * @param step how many steps were made
+     * @param dt of the next one, s
+     * @return whether the cells have changed
+     */
+    bool
+    before_step(const unsigned int step, const double dt);
+
+    /// Distributes the cells over the ranks anew. Collective.
+    void
+    repartition();
+
+    /// Writes what there is to say of the mesh into the statistics.
+    /// Collective.
+    void
+    record();
+
+    /// Names how often the mesh has changed.
+    void
+    keep(const Archive &archive);
+
+  private:
+    /// Changes the mesh and carries everything along. @param change does it
+    void
+    carry(const std::function<void()> &change);
+
+    /// Names all fields, with the values of the parts.
+    void
+    keep(const State<dim> &state);
+
+    SimulationParameters<dim>               &parameters;
+    Context                                 &context;
+    Mesh<dim>                               &mesh;
+    SimulationParts<dim>                    &parts;
+    const std::vector<Postprocessor<dim> *> &postprocessors;
+    const std::function<SolutionView<dim>()> view;
+    boost::signals2::scoped_connection       weights;
+    unsigned int                             n_adaptations     = 0;
+    unsigned int                             n_repartitionings = 0;
+  };
+} // namespace Thalweg
+
+#endif

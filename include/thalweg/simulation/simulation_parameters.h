@@ -1,0 +1,56 @@
+#ifndef thalweg_simulation_simulation_parameters_h
+#define thalweg_simulation_simulation_parameters_h
+
+#include <thalweg/adaptation/adaptive_refinement.h>
+#include <thalweg/adaptation/load_balance.h>
+#include <thalweg/methods/method.h>
+#include <thalweg/particles/seeding.h>
+#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/simulation/checkpoint_parameters.h>
+#include <thalweg/simulation/time_control.h>
+
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /// Everything that the input file sets.
+  template <int dim>
+  struct SimulationParameters
+  {
+    /// Declares all sections.
+    void
+    declare(const Section &root);
+
+    /// Appends every fault that can be found without running to @p faults:
+    /// fluids, expressions, times, and on the coarse mesh boundary names and
+    /// what the postprocessors look at.
+    void
+    check(std::vector<std::string> &faults) const;
+
+    MeshParameters<dim>         mesh;
+    AdaptiveRefinement<dim>     adaptive;
+    LoadBalance<dim>            balance;
+    CheckpointParameters        checkpoint;
+    TimeControl                 time;
+    Fluids                      fluids;
+    BodyForces<dim>             forces;
+    BoundaryConditionParameters boundary_conditions;
+    std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";
+    std::string initial_level_set = "1";
+    /// "sign" or "distance"
+    std::string particles_carry = "distance";
+    /// In smallest cell sizes: greater distances are cut off there.
+    double                      distance_band = 1.;
+    SeedingParameters           seeding;
+    ConvectionParameters        convection;
+    PopulationParameters<dim>   population;
+    InterfaceParameters         interface;
+    Choice<Projection<dim>>     projection;
+    Choice<FluidSolver<dim>>    fluid_solver;
+    Choice<Method<dim>>         method;
+    Choices<Postprocessor<dim>> postprocessors;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef thalweg_simulation_simulation_parts_h
+#define thalweg_simulation_simulation_parts_h
+
+#include <thalweg/simulation/simulation_parameters.h>
+
+#include <deal.II/base/function.h>
+
+#include <memory>
+
+namespace Thalweg
+{
+  /**
+   * @brief All that stands on the mesh: made anew for each mesh, with the
+   * same state.
+   */
+  template <int dim>
+  class SimulationParts
+  {
+  public:
+    /// All arguments must outlive the object; the mesh exists.
+    SimulationParts(SimulationParameters<dim> &parameters,
+                    Context                   &context,
+                    Mesh<dim>                 &mesh);
+
+    ~SimulationParts();
+
+    /**
+     * @brief Makes everything but the particles anew on the present mesh,
+     * with zero fields. Collective.
+     */
+    void
+    build();
+
+    /// Builds, removes all particles, seeds new ones, and sets the state at
+    /// the start. Collective.
+    void
+    set_initial_state();
+
+    /// Names what build() must know of the first mesh.
+    void
+    keep_constants(const Archive &archive);
+
+    /// Names what the next step starts from.
+    void
+    keep(const State<dim> &state);
+
+    /// Finds what follows from the state. Collective.
+    void
+    update();
+
+    Population<dim> &
+    particles()
+    {
+      return population;
+    }
+
+    const NodeSpace<dim> &
+    nodes() const
+    {
+      return *space;
+    }
+
+    const PhaseField<dim> &
+    phases() const
+    {
+      return *phase;
+    }
+
+  private:
+    /// The largest level set value that particles carry, m. Collective.
+    double
+    find_carried_distance() const;
+
+    std::map<dealii::types::boundary_id, WallKind>
+    walls() const;
+
+    /// The level set of what comes in through a boundary.
+    std::map<dealii::types::boundary_id, double>
+    inflow() const;
+
+    SimulationParameters<dim>                 &parameters;
+    Context                                   &context;
+    Mesh<dim>                                 &mesh;
+    BoundaryConditions<dim>                    conditions;
+    Population<dim>                            population;
+    double                                     carried_distance = 0;
+    std::unique_ptr<NodeSpace<dim>>            space;
+    std::unique_ptr<BoundaryNodes<dim>>        boundary;
+    std::unique_ptr<StreamlineConvection<dim>> convection;
+    std::unique_ptr<PathConvection<dim>>       paths;
+    std::unique_ptr<PopulationControl<dim>>    control;
+    std::unique_ptr<PhaseField<dim>>           phase;
+  };
+} // namespace Thalweg
+
+#endif

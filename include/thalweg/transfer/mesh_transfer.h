@@ -1,0 +1,113 @@
+#ifndef thalweg_transfer_mesh_transfer_h
+#define thalweg_transfer_mesh_transfer_h
+
+#include <thalweg/core/compat_weights.h>
+#include <thalweg/fields/state.h>
+#include <thalweg/particles/particle_storage.h>
+#include <thalweg/particles/population_snapshot.h>
+
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief Carries fields and particles from one mesh to the next, to other
+   * ranks, and into files: both travel attached to the cells.
+   *
+   * On refined cells fields are interpolated; coarsened cells keep the values
+   * at the nodes that remain. Particles stay where they are, and each comes to
+   * the cell that covers its place in the reference cell: none can get lost
+   * between two cells.
+   */
+  template <int dim>
+  class MeshTransfer
+  {
+  public:
+    /// @param mesh, population must outlive the object
+    MeshTransfer(Mesh<dim> &mesh, Population<dim> &population);
+
+    /**
+     * @brief Attaches @p state and the particles to the cells of the mesh,
+     * which then may change or be saved. Collective.
+     *
+     * @param state the spaces of its fields must not go before the mesh has
+     *   changed
+     * @param remove_particles whether to take the particles from the
+     *   population, as it must be when the mesh is going to change
+     */
+    void
+    pack(const State<dim> &state, const bool remove_particles);
+
+    /**
+     * @brief Gives @p state and the population what belongs to the cells of
+     * the new mesh. Collective.
+     *
+     * To be called when the mesh's graph and the spaces of @p state are those
+     * of the new mesh, after pack() and a change of the mesh, or after
+     * prepare_loaded().
+     */
+    void
+    unpack(const State<dim> &state);
+
+    /// Prepares unpack() for a mesh that was loaded from a file. Collective.
+    void
+    prepare_loaded();
+
+    /// Names which fields the cells carry, for the mesh that is loaded:
+    /// those that nobody wants any more are passed over.
+    void
+    keep(const Archive &archive);
+
+  private:
+    using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
+    using Bytes        = std::vector<char>;
+    using ByteRange    = boost::iterator_range<typename Bytes::const_iterator>;
+
+    void
+    attach();
+
+    /// The field of @p state called @p name, with a space and a vector if it
+    /// has one.
+    static CarriedField<dim>
+    find(const State<dim> &state, const std::string &name);
+
+    Bytes
+    pack_cell(const CellIterator &cell, const Compat::CellFate fate) const;
+
+    void
+    unpack_cell(const CellIterator    &cell,
+                const Compat::CellFate fate,
+                const ByteRange       &bytes);
+
+    /// Sets the owned values of @p field in a cell of the graph.
+    void
+    set_nodes(const CarriedField<dim>   &field,
+              const unsigned int         cell,
+              const std::vector<double> &values) const;
+
+    void
+    unpack_field(const CarriedField<dim>   &field,
+                 const CellIterator        &cell,
+                 const Compat::CellFate     fate,
+                 const std::vector<double> &values) const;
+
+    void
+    unpack_particle(ParticleRecord<dim>    particle,
+                    const CellIterator    &cell,
+                    const Compat::CellFate fate);
+
+    Mesh<dim>                     &mesh;
+    Population<dim>               &population;
+    std::vector<CarriedField<dim>> fields;
+    /// The names of the fields, and how many values a cell has of each.
+    std::vector<std::string>  names;
+    std::vector<unsigned int> n_values;
+    /// Ghosted copies of the fields that were packed.
+    std::vector<Vector>                           values;
+    PopulationSnapshot<dim>                       particles;
+    std::vector<std::vector<ParticleRecord<dim>>> received;
+    unsigned int handle = dealii::numbers::invalid_unsigned_int;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,149 @@
+#include <thalweg/simulation/mesh_adaptation.h>
+#include <thalweg/transfer/mesh_transfer.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  MeshAdaptation<dim>::MeshAdaptation(
+    SimulationParameters<dim>                &parameters,
+    Context                                  &context,
+    Mesh<dim>                                &mesh,
+    SimulationParts<dim>                     &parts,
+    const std::vector<Postprocessor<dim> *>  &postprocessors,
+    const std::function<SolutionView<dim>()> &view)
+    : parameters(parameters)
+    , context(context)
+    , mesh(mesh)
+    , parts(parts)
+    , postprocessors(postprocessors)
+    , view(view)
+    , weights(Compat::connect_weight<dim>(
+        mesh.triangulation(),
+        [&balance = parameters.balance](const auto &cell, const auto fate) {
+          return balance.weight(cell, fate);
+        }))
+  {}
+
+
+
+  template <int dim>
+  MeshAdaptation<dim>::~MeshAdaptation() = default;
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::adapt_to_initial_state()
+  {
+    const unsigned int n = parameters.adaptive.initial_adaptations();
+    for (unsigned int i = 0; i < n && parameters.adaptive.mark(mesh, view());
+         ++i)
+      {
+        parameters.balance.count(view());
+        parts.particles().handler().clear_particles();
+        mesh.triangulation().execute_coarsening_and_refinement();
+        mesh.update();
+        parts.set_initial_state();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::keep(const State<dim> &state)
+  {
+    parts.keep(state);
+    const State<dim> means = state.with(Archive::nowhere());
+    for (Postprocessor<dim> *postprocessor : postprocessors)
+      postprocessor->keep(means);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::carry(const std::function<void()> &change)
+  {
+    parameters.balance.count(view());
+    const Archive     values;
+    MeshTransfer<dim> transfer(mesh, parts.particles());
+    {
+      const State<dim> state(values);
+      keep(state);
+      transfer.pack(state, true);
+    }
+    change();
+    mesh.update();
+    parts.build();
+    for (Postprocessor<dim> *postprocessor : postprocessors)
+      postprocessor->mesh_changed(view());
+    const State<dim> state(values.reader());
+    keep(state);
+    transfer.unpack(state);
+    parts.update();
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::before_step(const unsigned int step, const double dt)
+  {
+    dealii::TimerOutput::Scope scope(context.timers, "adaptation");
+    const auto                &refinement = parameters.adaptive;
+    const bool                 is_wanted =
+      refinement.is_due(step) || refinement.must_adapt(view(), dt);
+    if (is_wanted && refinement.mark(mesh, view(), dt))
+      {
+        carry(
+          [&]() { mesh.triangulation().execute_coarsening_and_refinement(); });
+        parameters.method->repopulate();
+        ++n_adaptations;
+        return true;
+      }
+    if (parameters.balance.is_due(view(), step))
+      {
+        repartition();
+        ++n_repartitionings;
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::repartition()
+  {
+    carry([&]() { mesh.triangulation().repartition(); });
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::record()
+  {
+    auto &statistics = context.statistics;
+    statistics.set("adaptations", n_adaptations);
+    statistics.set("repartitionings", n_repartitionings);
+    for (const auto &[name, value] :
+         parameters.balance.imbalance(view()).columns())
+      statistics.set(name, value);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::keep(const Archive &archive)
+  {
+    archive.value("adaptations", n_adaptations);
+    archive.value("repartitionings", n_repartitionings);
+  }
+
+
+
+  THALWEG_INSTANTIATE(MeshAdaptation)
+} // namespace Thalweg

@@ -1,0 +1,369 @@
+#include <thalweg/core/bytes.h>
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/lagrange_shape.h>
+#include <thalweg/transfer/mesh_transfer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// Places that differ by less in the reference cell are the same: which
+    /// child of a cell covers a particle must not depend on round-off.
+    constexpr double round_off = 1e-6;
+
+    template <int dim>
+    void
+    append_particle(std::vector<char>         &bytes,
+                    const ParticleRecord<dim> &particle)
+    {
+      append_plain(bytes, particle.id);
+      append_plain(bytes, particle.position);
+      append_plain(bytes, particle.reference);
+      append_plain(bytes, particle.properties);
+    }
+
+    template <int dim>
+    ParticleRecord<dim>
+    read_particle(PlainReader &reader)
+    {
+      ParticleRecord<dim> particle;
+      reader.read(particle.id);
+      reader.read(particle.position);
+      reader.read(particle.reference);
+      reader.read(particle.properties);
+      return particle;
+    }
+
+    /// Where in the parent the child's corner 0 is.
+    double
+    child_offset(const unsigned int child, const unsigned int direction)
+    {
+      return (child >> direction) & 1u ? .5 : 0.;
+    }
+
+    template <int dim>
+    unsigned int
+    covering_child(const dealii::Point<dim> &reference)
+    {
+      unsigned int child = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        child |= (reference[d] >= .5 - round_off ? 1u : 0u) << d;
+      return child;
+    }
+
+    template <int dim>
+    dealii::Point<dim>
+    from_parent(const dealii::Point<dim> &reference, const unsigned int child)
+    {
+      dealii::Point<dim> inside;
+      for (unsigned int d = 0; d < dim; ++d)
+        inside[d] = std::max(0., 2. * (reference[d] - child_offset(child, d)));
+      return inside;
+    }
+
+    template <int dim>
+    dealii::Point<dim>
+    to_parent(const dealii::Point<dim> &reference, const unsigned int child)
+    {
+      dealii::Point<dim> inside;
+      for (unsigned int d = 0; d < dim; ++d)
+        inside[d] = .5 * reference[d] + child_offset(child, d);
+      return inside;
+    }
+    /// The number of the node of Lagrange elements at @p unit.
+    template <int dim>
+    unsigned int
+    node_at(const dealii::Point<dim> &unit, const unsigned int degree)
+    {
+      unsigned int node = 0;
+      for (unsigned int d = dim; d-- > 0;)
+        node = node * (degree + 1) + std::lround(unit[d] * degree);
+      return node;
+    }
+
+    /// The value at @p unit of a field with the nodal values
+    /// `values[stride * node]`.
+    template <int dim, unsigned int degree>
+    double
+    value_at(const dealii::Point<dim> &unit,
+             const double             *values,
+             const unsigned int        stride)
+    {
+      const auto shape = LagrangeShape::values<dim, degree>(unit);
+      double     sum   = 0.;
+      for (unsigned int i = 0; i < shape.size(); ++i)
+        sum += shape[i] * values[stride * i];
+      return sum;
+    }
+
+    template <int dim>
+    double
+    value_at(const unsigned int        degree,
+             const dealii::Point<dim> &unit,
+             const double             *values,
+             const unsigned int        stride)
+    {
+      return degree == 1 ? value_at<dim, 1>(unit, values, stride)
+                         : value_at<dim, 2>(unit, values, stride);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MeshTransfer<dim>::MeshTransfer(Mesh<dim> &mesh, Population<dim> &population)
+    : mesh(mesh)
+    , population(population)
+  {}
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::attach()
+  {
+    handle = mesh.triangulation().register_data_attach(
+      [this](const CellIterator &cell, const auto status) {
+        return pack_cell(cell, Compat::fate<dim>(status));
+      },
+      true);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::pack(const State<dim> &state, const bool remove_particles)
+  {
+    fields = state.fields();
+    values.clear();
+    names.clear();
+    n_values.clear();
+    values.reserve(fields.size()); // copies of vectors lose ghost values
+    for (const auto &field : fields)
+      {
+        values.push_back(*field.vector);
+        values.back().update_ghost_values();
+        names.push_back(field.name);
+        n_values.push_back(field.space->n_nodes_per_cell() *
+                           field.n_components);
+      }
+    particles.save(population);
+    if (remove_particles)
+      population.handler().clear_particles();
+    attach();
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::keep(const Archive &archive)
+  {
+    archive.value("names", names);
+    archive.value("values of a cell", n_values);
+  }
+
+
+
+  template <int dim>
+  CarriedField<dim>
+  MeshTransfer<dim>::find(const State<dim> &state, const std::string &name)
+  {
+    for (const auto &field : state.fields())
+      if (field.name == name)
+        return field;
+    return {name, nullptr, nullptr, 0};
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::prepare_loaded()
+  {
+    attach();
+  }
+
+
+
+  template <int dim>
+  typename MeshTransfer<dim>::Bytes
+  MeshTransfer<dim>::pack_cell(const CellIterator    &cell,
+                               const Compat::CellFate fate) const
+  {
+    const CellGraph<dim> &graph        = mesh.graph();
+    const bool            is_coarsened = fate == Compat::CellFate::is_coarsened;
+    Bytes                 bytes;
+    for (unsigned int k = 0; k < fields.size(); ++k)
+      for (unsigned int i = 0; i < fields[k].space->n_nodes_per_cell(); ++i)
+        {
+          const auto  &field  = fields[k];
+          unsigned int place  = i;
+          CellIterator source = cell;
+          if (is_coarsened)
+            {
+              // A node of the parent is one of the child that covers it.
+              const auto &unit  = field.space->unit_nodes()[i];
+              const auto  child = covering_child<dim>(unit);
+              source            = cell->child(child);
+              place             = node_at<dim>(from_parent<dim>(unit, child),
+                                   field.space->degree());
+            }
+          const unsigned int node =
+            field.space->nodes(graph.index(source))[place];
+          for (unsigned int d = 0; d < field.n_components; ++d)
+            append_plain(bytes,
+                         values[k].local_element(field.n_components * node +
+                                                 d));
+        }
+    for (unsigned int c = 0; c < (is_coarsened ? cell->n_children() : 1u); ++c)
+      for (ParticleRecord<dim> particle :
+           particles.in_cell(graph.index(is_coarsened ? cell->child(c) : cell)))
+        {
+          if (is_coarsened)
+            particle.reference = to_parent<dim>(particle.reference, c);
+          append_particle<dim>(bytes, particle);
+        }
+    return bytes;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::set_nodes(const CarriedField<dim>   &field,
+                               const unsigned int         cell,
+                               const std::vector<double> &values) const
+  {
+    const unsigned int *nodes = field.space->nodes(cell);
+    const unsigned int  n     = field.n_components;
+    for (unsigned int i = 0; i < field.space->n_nodes_per_cell(); ++i)
+      if (nodes[i] < field.space->n_owned_nodes())
+        for (unsigned int d = 0; d < n; ++d)
+          field.vector->local_element(n * nodes[i] + d) = values[n * i + d];
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::unpack_field(const CarriedField<dim>   &field,
+                                  const CellIterator        &cell,
+                                  const Compat::CellFate     fate,
+                                  const std::vector<double> &values) const
+  {
+    const CellGraph<dim> &graph = mesh.graph();
+    if (fate != Compat::CellFate::is_refined)
+      return set_nodes(field, graph.index(cell), values);
+    const unsigned int  n = field.n_components;
+    std::vector<double> inside(values.size());
+    for (unsigned int c = 0; c < cell->n_children(); ++c)
+      {
+        for (unsigned int i = 0; i < field.space->n_nodes_per_cell(); ++i)
+          for (unsigned int d = 0; d < n; ++d)
+            inside[n * i + d] =
+              value_at<dim>(field.space->degree(),
+                            to_parent<dim>(field.space->unit_nodes()[i], c),
+                            &values[d],
+                            n);
+        set_nodes(field, graph.index(cell->child(c)), inside);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::unpack_particle(ParticleRecord<dim>    particle,
+                                     const CellIterator    &cell,
+                                     const Compat::CellFate fate)
+  {
+    const CellGraph<dim> &graph  = mesh.graph();
+    CellIterator          target = cell;
+    if (fate == Compat::CellFate::is_refined)
+      {
+        const auto child   = covering_child<dim>(particle.reference);
+        target             = cell->child(child);
+        particle.reference = from_parent<dim>(particle.reference, child);
+      }
+    // Where boundaries are curved, children do not lie in their parents.
+    const unsigned int index = graph.index(target);
+    if (fate != Compat::CellFate::persists && !graph.cell(index).axis_parallel)
+      particle.position =
+        mesh.mapping().transform_unit_to_real_cell(target, particle.reference);
+    received[index].push_back(particle);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::unpack_cell(const CellIterator    &cell,
+                                 const Compat::CellFate fate,
+                                 const ByteRange       &bytes)
+  {
+    if (bytes.empty())
+      return;
+    PlainReader         reader(&*bytes.begin());
+    const char         *end = reader.place() + bytes.size();
+    std::vector<double> values;
+    for (unsigned int k = 0; k < fields.size(); ++k)
+      {
+        values.resize(n_values[k]);
+        for (double &value : values)
+          reader.read(value);
+        if (fields[k].vector != nullptr)
+          unpack_field(fields[k], cell, fate, values);
+      }
+    while (reader.place() < end)
+      unpack_particle(read_particle<dim>(reader), cell, fate);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::unpack(const State<dim> &state)
+  {
+    fields.clear();
+    for (const std::string &name : names)
+      fields.push_back(find(state, name));
+    received.assign(mesh.graph().n_owned_cells(), {});
+    for (const auto &field : state.fields())
+      field.vector->zero_out_ghost_values();
+    mesh.triangulation().notify_ready_to_unpack(
+      handle,
+      [this](const CellIterator &cell,
+             const auto          status,
+             const ByteRange    &bytes) {
+        unpack_cell(cell, Compat::fate<dim>(status), bytes);
+      });
+    for (const auto &field : state.fields())
+      field.space->interpolate(*field.vector, field.n_components);
+
+    std::size_t n_particles = 0;
+    for (const auto &cell : received)
+      n_particles += cell.size();
+    population.handler().clear_particles();
+    population.handler().reserve(n_particles);
+    for (unsigned int c = 0; c < received.size(); ++c)
+      store_in_cell(population,
+                    c,
+                    received[c].size(),
+                    [&](const unsigned int k) -> const ParticleRecord<dim> & {
+                      return received[c][k];
+                    });
+    population.handler().update_cached_numbers();
+    received.clear();
+    fields.clear();
+    values.clear();
+  }
+
+
+
+  THALWEG_INSTANTIATE(MeshTransfer)
+} // namespace Thalweg

@@ -1,0 +1,251 @@
+#include <thalweg/fields/interpolation.h>
+#include <thalweg/particles/seeding.h>
+#include <thalweg/transfer/mesh_transfer.h>
+
+#include <deal.II/fe/mapping_q1.h>
+
+#include <gtest/gtest.h>
+
+#include "../support/dimensions.h"
+#include "../support/files.h"
+#include "../support/input.h"
+
+namespace
+{
+  using namespace Thalweg;
+
+  /// A polynomial of a given degree in each direction.
+  template <int dim>
+  class Polynomial : public dealii::Function<dim>
+  {
+  public:
+    Polynomial(const unsigned int degree, const unsigned int n_components)
+      : dealii::Function<dim>(n_components)
+      , degree(degree)
+    {}
+
+    double
+    value(const dealii::Point<dim> &x,
+          const unsigned int        component = 0) const override
+    {
+      double value = 1. + component;
+      for (unsigned int d = 0; d < dim; ++d)
+        value *= degree == 1 ? 1. + (d + 2.) * x[d]
+                             : 1. - x[d] * (component + d + x[d]);
+      return value;
+    }
+
+  private:
+    const unsigned int degree;
+  };
+
+  template <int dim>
+  struct Travellers
+  {
+    explicit Travellers(Mesh<dim> &mesh)
+      : mesh(mesh)
+      , population(mesh)
+    {
+      make_spaces();
+    }
+
+    void
+    make_spaces()
+    {
+      linear    = std::make_unique<LagrangeSpace<dim>>(mesh, 1, mesh.mapping());
+      quadratic = std::make_unique<LagrangeSpace<dim>>(mesh, 2, mesh.mapping());
+      linear->initialize(p, 1);
+      quadratic->initialize(v, dim);
+    }
+
+    void
+    fill()
+    {
+      interpolate_function(*linear, Polynomial<dim>(1, 1), p);
+      interpolate_function(*quadratic, Polynomial<dim>(2, dim), v);
+      linear->interpolate(p, 1);
+      quadratic->interpolate(v, dim);
+      SeedingParameters parameters;
+      parameters.jitter                  = .7;
+      parameters.particles_per_direction = 3;
+      seed(population,
+           parameters,
+           Polynomial<dim>(2, dim),
+           Polynomial<dim>(1, 1));
+    }
+
+    State<dim>
+    state()
+    {
+      State<dim> state(Archive::nowhere());
+      state.field("p", *linear, p, 1);
+      state.field("v", *quadratic, v, dim);
+      return state;
+    }
+
+    /// The fields are those of fill(), and so are the particles.
+    void
+    expect_filled(const unsigned int n_particles)
+    {
+      Vector exact_p, exact_v;
+      linear->initialize(exact_p, 1);
+      quadratic->initialize(exact_v, dim);
+      interpolate_function(*linear, Polynomial<dim>(1, 1), exact_p);
+      interpolate_function(*quadratic, Polynomial<dim>(2, dim), exact_v);
+      linear->interpolate(exact_p, 1);
+      quadratic->interpolate(exact_v, dim);
+      for (unsigned int i = 0; i < dim * quadratic->dependences().n_nodes();
+           ++i)
+        ASSERT_NEAR(v.local_element(i), exact_v.local_element(i), 1e-12);
+      for (unsigned int i = 0; i < linear->dependences().n_nodes(); ++i)
+        ASSERT_NEAR(p.local_element(i), exact_p.local_element(i), 1e-12);
+
+      EXPECT_EQ(population.n_global_particles(), n_particles);
+      for (const auto &particle : population.handler())
+        {
+          const auto cell      = particle.get_surrounding_cell();
+          const auto position  = particle.get_location();
+          const auto reference = particle.get_reference_location();
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              EXPECT_GE(reference[d], 0.);
+              EXPECT_LE(reference[d], 1. + 1e-12);
+            }
+          EXPECT_LT(position.distance(
+                      mesh.mapping().transform_unit_to_real_cell(cell,
+                                                                 reference)),
+                    1e-12);
+          const auto properties = particle.get_properties();
+          EXPECT_EQ(properties[dim], Polynomial<dim>(1, 1).value(position));
+          for (unsigned int d = 0; d < dim; ++d)
+            EXPECT_EQ(properties[d],
+                      Polynomial<dim>(2, dim).value(position, d));
+        }
+    }
+
+    Mesh<dim>                          &mesh;
+    Population<dim>                     population;
+    std::unique_ptr<LagrangeSpace<dim>> linear, quadratic;
+    Vector                              p, v;
+  };
+
+  /// Flags that only depend on where a cell is.
+  template <int dim>
+  void
+  flag(Mesh<dim> &mesh, const unsigned int round)
+  {
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const auto   center = cell->center();
+          const double wave =
+            std::sin(9. * center[0] + round) * std::cos(7. * center[1] - round);
+          if (wave > .3 && cell->level() < 3)
+            cell->set_refine_flag();
+          else if (wave < 0.)
+            cell->set_coarsen_flag();
+        }
+  }
+
+  template <int dim>
+  void
+  create(Mesh<dim> &mesh, const std::string &levels)
+  {
+    dealii::ParameterHandler prm;
+    MeshParameters<dim>      parameters;
+    parameters.declare(Section(prm));
+    prm.parse_input_from_string(unit_box<dim>(3, levels));
+    mesh.create(parameters);
+  }
+
+  template <typename Dimension>
+  class MeshTransferMpi : public testing::Test
+  {};
+  TYPED_TEST_SUITE(MeshTransferMpi, Dimensions);
+} // namespace
+
+
+
+TYPED_TEST(MeshTransferMpi, NothingIsLostOnMeshesThatChange)
+{
+  constexpr int dim = TypeParam::value;
+  Mesh<dim>     mesh(MPI_COMM_WORLD);
+  create(mesh, "if(x + y < 0.9, 1, 0)");
+  Travellers<dim> travellers(mesh);
+  travellers.fill();
+  const unsigned int n_particles = travellers.population.n_global_particles();
+  std::set<unsigned int> sizes;
+  for (unsigned int round = 0; round < 4; ++round)
+    {
+      flag(mesh, round);
+      MeshTransfer<dim> transfer(mesh, travellers.population);
+      transfer.pack(travellers.state(), true);
+      mesh.triangulation().execute_coarsening_and_refinement();
+      mesh.update();
+      travellers.make_spaces();
+      transfer.unpack(travellers.state());
+      travellers.expect_filled(n_particles);
+      sizes.insert(mesh.triangulation().n_global_active_cells());
+    }
+  EXPECT_GT(sizes.size(), 2u);
+}
+
+
+
+TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
+{
+  constexpr int     dim  = TypeParam::value;
+  const std::string file = own_path("mesh");
+  Mesh<dim>         mesh(MPI_COMM_WORLD);
+  create(mesh, "if(x + y < 0.9, 1, 0)");
+  flag(mesh, 1);
+  mesh.triangulation().execute_coarsening_and_refinement();
+  mesh.update();
+  Travellers<dim> travellers(mesh);
+  travellers.fill();
+  const Archive archive;
+  {
+    MeshTransfer<dim> transfer(mesh, travellers.population);
+    transfer.pack(travellers.state(), false);
+    transfer.keep(archive);
+    mesh.triangulation().save(file);
+  }
+  Mesh<dim> loaded(MPI_COMM_WORLD);
+  create(loaded, "0");
+  loaded.triangulation().load(file);
+  loaded.update();
+  Travellers<dim>   arrivals(loaded);
+  MeshTransfer<dim> transfer(loaded, arrivals.population);
+  transfer.keep(archive.reader());
+  transfer.prepare_loaded();
+  transfer.unpack(arrivals.state());
+  arrivals.expect_filled(travellers.population.n_global_particles());
+
+  // The numbering only depends on the mesh, not on its history.
+  ASSERT_EQ(arrivals.v.locally_owned_size(), travellers.v.locally_owned_size());
+  for (unsigned int i = 0; i < arrivals.v.locally_owned_size(); ++i)
+    ASSERT_EQ(arrivals.v.local_element(i), travellers.v.local_element(i));
+  const auto &graph = mesh.graph();
+  ASSERT_EQ(graph.n_cells(), loaded.graph().n_cells());
+  for (unsigned int c = 0; c < graph.n_cells(); ++c)
+    {
+      ASSERT_EQ(graph.cell(c).vertices, loaded.graph().cell(c).vertices);
+      ASSERT_EQ(graph.cell(c).global_index,
+                loaded.graph().cell(c).global_index);
+    }
+  for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+    {
+      auto particle = arrivals.population.handler()
+                        .particles_in_cell(loaded.graph().iterator(c))
+                        .begin();
+      for (const auto &old :
+           travellers.population.handler().particles_in_cell(graph.iterator(c)))
+        {
+          EXPECT_EQ(old.get_id(), particle->get_id());
+          EXPECT_EQ(old.get_location(), particle->get_location());
+          EXPECT_EQ(old.get_reference_location(),
+                    particle->get_reference_location());
+          ++particle;
+        }
+    }
+}

@@ -102,13 +102,20 @@ namespace AdaptationTest
       return {mesh, *space, fluids, *population, velocity, pressure, level_set};
     }
 
+    /// To be called when the mesh has changed.
+    void
+    make_space()
+    {
+      space = std::make_unique<Thalweg::NodeSpace<dim>>(mesh);
+    }
+
     /// Does what the flags say. The fields are to be set anew.
     void
     change_mesh()
     {
       mesh.triangulation().execute_coarsening_and_refinement();
       mesh.update();
-      space->distribute();
+      make_space();
     }
 
     /// A number that tells meshes apart, whoever owns their cells.

@@ -188,7 +188,7 @@ TYPED_TEST(AdaptiveRefinementMpi, ABandOnCurvedCellsComesToRest)
                                "Maximum level = 3"},
                               two_bands);
   Meshes::distort(world.mesh, .08);
-  world.space->distribute();
+  world.make_space();
   const auto set = [&]() {
     world.set(ball_at<dim>(.45), [](const auto &) { return 0.; });
   };

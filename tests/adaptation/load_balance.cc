@@ -157,7 +157,7 @@ TYPED_TEST(LoadBalanceMpi, DistributesParticlesEvenly)
   constexpr int dim = TypeParam::value;
   World<dim>    world(MPI_COMM_WORLD, unit_box<dim>(4, "2"));
   const auto    set = [&]() {
-    world.space->distribute();
+    world.make_space();
     world.set([](const auto &) { return 1.; }, [](const auto &) { return 0.; });
   };
   set();

@@ -61,11 +61,13 @@ namespace Thalweg
                 "How much work a cell is; only the ratios of the three weights "
                 "matter.",
                 Double(0));
-    section.add("Weight of a particle",
-                particle_weight,
-                "",
-                "How much work a particle is.",
-                Double(0));
+    section.add(
+      "Weight of a particle",
+      particle_weight,
+      "",
+      "How much work a particle is. The default was measured on a dam "
+      "break: 0.12 microseconds of a step, against 3.3 for a cell.",
+      Double(0));
     section.add("Weight of a cut cell",
                 cut_cell_weight,
                 "",

@@ -96,8 +96,8 @@ namespace Thalweg
     }
 
     double       cell_weight     = 1.;
-    double       particle_weight = 0.1;
-    double       cut_cell_weight = 1.;
+    double       particle_weight = 0.04;
+    double       cut_cell_weight = 2.;
     double       threshold       = 1.1;
     unsigned int interval        = 10;
 

@@ -86,6 +86,27 @@ namespace Thalweg
 
 
 
+    /// Around the particles in a cell that the level set does not cut which
+    /// belong to the other fluid: threads and drops that are thinner than the
+    /// cell; nothing if there are none.
+    template <int dim>
+    Corners<dim>
+    strays_in_cell(const SolutionView<dim> &solution,
+                   const unsigned int       c,
+                   const bool               is_negative)
+    {
+      Corners<dim> box = nothing<dim>();
+      for (const auto &particle :
+           solution.population.handler().particles_in_cell(
+             solution.mesh.graph().iterator(c)))
+        if ((particle.get_properties()[Population<dim>::level_set_offset] <
+             0.) != is_negative)
+          include(box, particle.get_location());
+      return box;
+    }
+
+
+
     template <int dim>
     dealii::Tensor<1, dim>
     mean_velocity(const SolutionView<dim> &solution, const unsigned int cell)
@@ -114,9 +135,12 @@ namespace Thalweg
           const auto phi = cell_level_set(solution, c);
           const auto [smallest, largest] =
             std::minmax_element(phi.begin(), phi.end());
-          if (*smallest >= 0 || *largest < 0)
+          const bool         is_cut = *smallest < 0 && *largest >= 0;
+          const Corners<dim> piece =
+            is_cut ? piece_in_cell(graph, c, phi)
+                   : strays_in_cell(solution, c, *largest < 0);
+          if (piece[0][0] > piece[1][0])
             continue;
-          const Corners<dim>           piece = piece_in_cell(graph, c, phi);
           const dealii::Tensor<1, dim> way = time * mean_velocity(solution, c);
           const double                 step =
             edge_on_level<dim>(graph.iterator(c), levels.maximum);

@@ -13,6 +13,11 @@ namespace Thalweg
    * @brief Where the interface is, and where the flow will carry it: a box
    * around its piece in each cut cell, and boxes along the way from there.
    *
+   * Where fluid is thinner than a cell, only particles know of it: boxes
+   * around those that stand in the midst of the other fluid belong to the
+   * interface. Else a thread would be lost in the coarse cells that it is left
+   * in, of whose particles many are removed.
+   *
    * The level set itself says nothing about distances beyond a cell or two;
    * these boxes do, at any distance, and the answer depends neither on how
    * the mesh is distributed nor on its fineness there. Boxes are sent to the

@@ -90,3 +90,31 @@ TEST(Rest, WithoutEnrichmentItMoves)
                             section("Interface", {"Enrichment = none"})));
   EXPECT_GT(largest_velocity(run), 1e-3);
 }
+
+
+
+TEST(RestMpi, TiltedPlaneOnAMeshThatAdaptsEveryStepStaysAtRest)
+{
+  const std::string wave = "if(abs(x - 8*t) < 0.2, 1, 0)";
+  const RunCase<2>  run(
+    rest("-0.3*(x - 0.5) + 0.95*(y - 0.47)", "3, -9.5", "0", "8, 8", plane) +
+    adapting_every_step(
+      "0", "1", "region", {"At least = " + wave, "At most = " + wave}));
+  EXPECT_LT(largest_velocity(run), 1e-9);
+  EXPECT_GT(run.last("adaptations"), 5.);
+  EXPECT_EQ(run.last("particles lost"), 0.);
+}
+
+
+
+TEST(RestMpi, TiltedPlaneOnAMeshThatAdaptsEveryStepStaysAtRest3d)
+{
+  const std::string wave = "if(abs(x - 8*t) < 0.2, 1, 0)";
+  const RunCase<3>  run(
+    rest(
+      "-0.3*(x - 0.5) + 0.95*(z - 0.47)", "3, 0, -9.5", "0", "4, 4, 4", plane) +
+    adapting_every_step(
+      "0", "1", "region", {"At least = " + wave, "At most = " + wave}));
+  EXPECT_LT(largest_velocity(run), 1e-9);
+  EXPECT_GT(run.last("adaptations"), 2.);
+}

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "run_case.h"
+#include "support/input.h"
 
 namespace
 {
@@ -54,4 +55,19 @@ TEST(Translation, UniformFlowStaysUniformAcrossHangingNodes)
 {
   EXPECT_LT(deviation(RunCase<2>(drop("0.05", "0.5", "if(x < 0.5, 1, 0)"))),
             1e-7);
+}
+
+
+
+TEST(TranslationMpi, UniformFlowStaysUniformOnAMeshThatAdaptsEveryStep)
+{
+  for (const auto &[dt, end] :
+       {std::make_pair("0.01", "0.1"), std::make_pair("0.1", "1")})
+    {
+      const RunCase<2> run(drop(dt, end, "0") +
+                           adapting_every_step("0", "1", "interface distance"));
+      EXPECT_LT(deviation(run), 1e-7) << dt;
+      EXPECT_GT(run.last("adaptations"), 5.) << dt;
+      EXPECT_EQ(run.last("particles lost"), 0.) << dt;
+    }
 }

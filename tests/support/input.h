@@ -53,6 +53,22 @@ hanging_box(const unsigned int n, const std::vector<std::string> &geometry = {})
   return unit_box<dim>(n, "if(x + y < 0.9, 1, 0)", geometry);
 }
 
+/// The text of "Refinement" for a mesh that adapts before every step.
+/// @param criterion with its own @p settings
+inline std::string
+adapting_every_step(const std::string              &global_levels,
+                    const std::string              &maximum_level,
+                    const std::string              &criterion,
+                    const std::vector<std::string> &settings = {})
+{
+  return section("Refinement",
+                 {"Global levels = " + global_levels},
+                 section("Adaptive",
+                         {"Criteria = " + criterion,
+                          "Maximum level = " + maximum_level},
+                         section(criterion, settings)));
+}
+
 /// A given viscosity and density of the only fluid.
 inline std::string
 one_fluid(const double density, const double viscosity)

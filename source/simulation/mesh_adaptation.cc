@@ -3,6 +3,15 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// A surface that reaches coarser cells than this can do without, comes
+    /// with steps that are far too long.
+    constexpr unsigned int most_levels_at_once = 8;
+  } // namespace
+
+
+
   template <int dim>
   MeshAdaptation<dim>::MeshAdaptation(
     SimulationParameters<dim>                &parameters,
@@ -92,16 +101,23 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "adaptation");
     const auto                &refinement = parameters.adaptive;
-    const bool                 is_wanted =
+    bool                       is_wanted =
       refinement.is_due(step) || refinement.must_adapt(view(), dt);
-    if (is_wanted && refinement.mark(mesh, view(), dt))
+    bool has_changed = false;
+    // A cell changes by one level at a time.
+    for (unsigned int i = 0; i < most_levels_at_once && is_wanted &&
+                             refinement.mark(mesh, view(), dt);
+         ++i)
       {
         carry(
           [&]() { mesh.triangulation().execute_coarsening_and_refinement(); });
         parameters.method->repopulate();
         ++n_adaptations;
-        return true;
+        has_changed = true;
+        is_wanted   = refinement.must_adapt(view(), dt);
       }
+    if (has_changed)
+      return true;
     if (parameters.balance.is_due(view(), step))
       {
         repartition();

@@ -39,6 +39,7 @@ namespace
                   alone.last(column),
                   1e-6 * std::abs(alone.last(column)))
         << column;
+    EXPECT_EQ(together.last("cells"), alone.last("cells"));
     EXPECT_EQ(together.last("particles"), alone.last("particles"));
     EXPECT_EQ(together.last("particles lost"), 0.);
   }
@@ -58,6 +59,27 @@ TEST(RanksMpi, DamBreak3d)
 {
   compare_with_one_process<3>(collapse(
     "6, 6, 6", "if(x < 0.5, 1, 0)", "0, -9.81, 0", "max(x - 0.31, y - 0.62)"));
+}
+
+
+
+TEST(RanksMpi, DamBreakOnAMeshThatAdapts2d)
+{
+  compare_with_one_process<2>(
+    collapse("4, 4", "0", "0, -9.81", "max(x - 0.31, y - 0.62)") +
+    adapting_every_step("1", "3", "interface distance") +
+    section("Load balance", {"Interval = 3", "Threshold = 1"}));
+}
+
+
+
+TEST(RanksMpi, DamBreakOnAMeshThatAdapts3d)
+{
+  compare_with_one_process<3>(
+    collapse("3, 3, 3", "0", "0, -9.81, 0", "max(x - 0.31, y - 0.62)") +
+    adapting_every_step("0", "2", "interface distance") +
+    section("Load balance", {"Interval = 3", "Threshold = 1"}) +
+    section("Time", {"Maximal number of steps = 6"}));
 }
 
 

@@ -6,6 +6,7 @@
 #include <thalweg/interface/simplex_cut.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Thalweg
 {
@@ -143,8 +144,27 @@ namespace Thalweg
     const auto of_patch = facets(patch);
     all_facets.insert(all_facets.end(), of_patch.begin(), of_patch.end());
     first_facet.push_back(all_facets.size());
+    balls.push_back(ball_around(of_patch));
     patches.push_back(patch);
     return patches.size() - 1;
+  }
+
+
+
+  template <int dim>
+  typename Contour<dim>::Ball
+  Contour<dim>::ball_around(const std::vector<Facet<dim>> &of_patch) const
+  {
+    Ball ball;
+    for (const auto &facet : of_patch)
+      for (const auto &corner : facet.corners)
+        ball.center += corner / (dim * static_cast<double>(of_patch.size()));
+    for (const auto &facet : of_patch)
+      for (const auto &corner : facet.corners)
+        ball.radius = facet.open_sides != 0
+                        ? std::numeric_limits<double>::infinity()
+                        : std::max(ball.radius, ball.center.distance(corner));
+    return ball;
   }
 
 
@@ -280,6 +300,8 @@ namespace Thalweg
                          const double              limit) const
   {
     double nearest = limit;
+    if (balls[patch].center.distance(x) - balls[patch].radius >= limit)
+      return nearest;
     for (unsigned int f = first_facet[patch]; f < first_facet[patch + 1]; ++f)
       if (distance_bound(all_facets[f], x) < nearest)
         nearest = std::min(nearest, Thalweg::distance<dim>(all_facets[f], x));

@@ -51,6 +51,12 @@ namespace Thalweg
       return of_node[node];
     }
 
+    unsigned int
+    n_patches() const
+    {
+      return patches.size();
+    }
+
     /// The distance from @p x to patch @p patch, or @p limit if that is less.
     double
     distance(const unsigned int        patch,
@@ -58,6 +64,13 @@ namespace Thalweg
              const double              limit) const;
 
   private:
+    struct Ball
+    {
+      dealii::Point<dim> center;
+      /// Infinite if a facet goes on beyond the domain.
+      double radius = 0.;
+    };
+
     void
     collect(const Vector &phi);
 
@@ -79,10 +92,15 @@ namespace Thalweg
     unsigned int
     add(const ContourPatch<dim> &patch);
 
+    Ball
+    ball_around(const std::vector<Facet<dim>> &of_patch) const;
+
     const NodeSpace<dim>          &space;
     const unsigned int             n_owned;
     std::vector<ContourPatch<dim>> patches;
     std::vector<Facet<dim>>        all_facets;
+    /// A ball around the facets of each patch.
+    std::vector<Ball> balls;
     /// Of each patch, and behind the last one.
     std::vector<unsigned int>              first_facet = {0};
     std::vector<std::vector<unsigned int>> of_node;

@@ -15,7 +15,8 @@ namespace Thalweg
 
 
 
-    /// Adds the integrals at one quadrature point.
+    /// Adds the integrals at one quadrature point; of the symmetric matrix
+    /// only what is not above the diagonal.
     template <int dim>
     void
     add_point(CutCell<dim>                         &cut,
@@ -40,7 +41,7 @@ namespace Thalweg
         {
           cut.mass[i] += weight * density * point.values[i];
           cut.gradient[i] += inverse * point.gradients[i];
-          for (unsigned int j = 0; j < w.size(); ++j)
+          for (unsigned int j = 0; j <= i; ++j)
             cut.laplace[i][j] +=
               inverse * (point.gradients[i] * point.gradients[j]);
           if (enrich)
@@ -164,6 +165,9 @@ namespace Thalweg
             }
         });
       }
+    for (unsigned int i = 0; i < phi.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        cut.laplace[j][i] = cut.laplace[i][j];
     if (enrich)
       {
         add_continuous_gradient(cut, cell, w);

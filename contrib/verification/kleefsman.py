@@ -158,7 +158,9 @@ def tabulate_pressures(report, outputs):
     def row(name, probe, series, end):
         value, time = series.peak()
         mean = sum(series.at(.6 + .01 * i) for i in range(41)) / 41
-        return [name, probe, value, time, mean if end >= 1. else ""]
+        if end < 1.:
+            return [name, probe, "", "", ""]
+        return [name, probe, value, time, mean]
 
     for probe in PROBES:
         rows.append(row("experiment", probe, measured[probe], 3.))
@@ -190,22 +192,25 @@ def tabulate_runs(report, outputs):
 
 
 def plot(report, outputs):
-    """Heights and pressures of the finest run beside the experiment."""
-    output = list(outputs.values())[-1]
-    for name, measured, computed, label, every in (
-            ("kleefsman", measured_heights(), heights(output),
-             "water height [m]", 4),
-            ("kleefsman_pressures", measured_pressures(), pressures(output),
+    """Heights and pressures beside the experiment, as dots; the finest mesh
+    as a line, coarser ones dashed."""
+    for name, measured, evaluate_run, label, every in (
+            ("kleefsman", measured_heights(), heights, "water height [m]", 4),
+            ("kleefsman_pressures", measured_pressures(), pressures,
              "pressure [Pa]", 1)):
+        runs = [evaluate_run(output) for output in outputs.values()]
         curves = []
         for i, key in enumerate(measured):
-            end = computed[key].t[-1]
+            end = max(1., *(run[key].t[-1] for run in runs))
             points = [(t, v) for t, v in zip(measured[key].t,
                                              measured[key].values)
-                      if t <= max(end, 1.)][::every]
+                      if t <= end][::every]
             curves.append((f"{key}, experiment", *zip(*points), f"C{i}."))
-            curves.append((key, computed[key].t, computed[key].values,
-                           f"C{i}-"))
+            for run in runs:
+                finest = run is runs[-1]
+                curves.append((key if finest else "_nolegend_", run[key].t,
+                               run[key].values, f"C{i}" + "-" if finest
+                               else f"C{i}--"))
         report.plot(name, curves, "time [s]", label)
 
 

@@ -119,6 +119,21 @@ def surface(data):
     return points[corners], mean / numpy.maximum(length, 1e-12)
 
 
+def lie_inside(grid, positions):
+    """Whether each of the positions (n, 3) is in a cell of the grid."""
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.ascontiguousarray(positions), deep=True))
+    cloud = vtk.vtkPolyData()
+    cloud.SetPoints(points)
+    probe = vtk.vtkProbeFilter()
+    # The default walks from cell to cell and ends where levels change.
+    probe.SetCellLocatorPrototype(vtk.vtkStaticCellLocator())
+    probe.SetInputData(cloud)
+    probe.SetSourceData(grid)
+    probe.Update()
+    return point_array(probe.GetOutput(), "vtkValidPointMask") == 1
+
+
 def point_array(data, name):
     """An array at the points, or None."""
     array = data.GetPointData().GetArray(name)

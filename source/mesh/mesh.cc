@@ -99,7 +99,6 @@ namespace Thalweg
   Mesh<dim>::update()
   {
     cell_graph.build(tria);
-    changed();
   }
 
 

@@ -8,7 +8,6 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/fe/mapping_q1.h>
 
-#include <boost/signals2.hpp>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -33,8 +32,7 @@ namespace Thalweg
   /**
    * @brief The p4est mesh, its boundary names, and its cell graph.
    *
-   * The one place that changes the triangulation; whoever keeps data on the
-   * mesh subscribes to `changed`.
+   * What stands on it is made anew after each change (SimulationParts).
    */
   template <int dim>
   class Mesh
@@ -111,12 +109,10 @@ namespace Thalweg
     std::uint64_t
     coarse_checksum() const;
 
-    /// To be called when the triangulation was changed from outside.
+    /// Makes the graph anew; to be called when the triangulation was changed
+    /// from outside.
     void
     update();
-
-    /// Fires after the mesh and its graph have changed.
-    boost::signals2::signal<void()> changed;
 
   private:
     void

@@ -1,7 +1,65 @@
 #include <thalweg/methods/method.h>
 
+#include <cmath>
+#include <sstream>
+
 namespace Thalweg
 {
+  namespace
+  {
+    const std::string all_lost = "particles lost in all";
+
+    /// Adds @p n to those that were lost before, and returns the sum.
+    double
+    record_lost(Statistics &statistics, const std::uint64_t n)
+    {
+      const double before =
+        statistics.has(all_lost) ? statistics.get(all_lost) : 0.;
+      statistics.set("particles lost", n);
+      statistics.set(all_lost, before + n);
+      return before + n;
+    }
+
+
+
+    /// Whether a count reached another power of two with the last @p n: a
+    /// run of a million steps is to say so twenty times, not a million.
+    bool
+    has_doubled(const double so_far, const std::uint64_t n)
+    {
+      return n > 0 &&
+             std::ilogb(so_far) > (so_far == n ? -1 : std::ilogb(so_far - n));
+    }
+
+
+
+    template <int dim>
+    std::string
+    describe(const Statistics       &statistics,
+             const ConvectionReport &report,
+             const std::uint64_t     so_far)
+    {
+      std::ostringstream text;
+      if (statistics.has("step"))
+        text << "Step " << statistics.get("step")
+             << " (t = " << statistics.get("time [s]") << " s): ";
+      text << report.n_lost
+           << (report.n_lost == 1 ? " particle was" : " particles were")
+           << " lost, number " << report.first_lost.id
+           << " in the cell with the centre (";
+      for (unsigned int d = 0; d < dim; ++d)
+        text << (d > 0 ? ", " : "") << report.first_lost.place[d];
+      text << "): the velocity or the way there is not a number, or the "
+              "particle was not in the domain. ";
+      if (so_far > report.n_lost)
+        text << so_far << " have been lost so far. ";
+      text << "This is said again when the number has doubled.";
+      return text.str();
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   record_particles(const Parts<dim>       &parts,
@@ -18,13 +76,11 @@ namespace Thalweg
     statistics.set("particles removed",
                    dealii::Utilities::MPI::sum(n_removed, communicator));
     statistics.set("particles left", report.n_left());
-    statistics.set("particles lost", report.n_lost);
     statistics.set("particle substeps", report.n_substeps);
-    if (report.n_lost > 0)
+    const double so_far = record_lost(statistics, report.n_lost);
+    if (has_doubled(so_far, report.n_lost))
       parts.context.log.warning(
-        std::to_string(report.n_lost) +
-        " particles were lost: their velocity is not a number or they could "
-        "not be located.");
+        describe<dim>(statistics, report, static_cast<std::uint64_t>(so_far)));
   }
 
 

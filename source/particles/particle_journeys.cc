@@ -60,10 +60,22 @@ namespace Thalweg
       return arrivals;
     }
 
+    template <int dim>
+    std::array<double, 3>
+    centre(const typename CellGraph<dim>::Cell &cell)
+    {
+      std::array<double, 3> centre{};
+      for (const auto &vertex : cell.vertices)
+        for (unsigned int d = 0; d < dim; ++d)
+          centre[d] += vertex[d] / cell.vertices.size();
+      return centre;
+    }
+
     /// Counts those that did not arrive.
     template <int dim, typename TravellerType>
     void
-    count_missing(const std::vector<TravellerType> &travellers,
+    count_missing(const CellGraph<dim>             &graph,
+                  const std::vector<TravellerType> &travellers,
                   ConvectionReport                 &report)
     {
       for (const auto &[walker, particle] : travellers)
@@ -74,7 +86,12 @@ namespace Thalweg
             ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
           }
         else if (walker.fate == Fate::lost)
-          ++report.n_lost;
+          {
+            ++report.n_lost;
+            if (particle.id < report.first_lost.id)
+              report.first_lost = {particle.id,
+                                   centre<dim>(graph.cell(walker.cell))};
+          }
     }
 
     /// Copies all particles out of the population, and lets each walk as far
@@ -203,7 +220,7 @@ namespace Thalweg
     report.n_substeps      = effort.n_substeps;
     report.n_cells_crossed = effort.n_cells_crossed;
     if (n_stored < travellers.size())
-      count_missing<dim>(travellers, report);
+      count_missing<dim>(walk.graph(), travellers, report);
     return report;
   }
 

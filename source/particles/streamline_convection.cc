@@ -68,6 +68,16 @@ namespace Thalweg
     total.n_lost          = MPI::sum(n_lost, communicator);
     total.n_substeps      = MPI::sum(n_substeps, communicator);
     total.n_cells_crossed = MPI::sum(n_cells_crossed, communicator);
+    if (total.n_lost > 0)
+      {
+        const LostParticle &own = first_lost;
+        total.first_lost.id     = MPI::min(own.id, communicator);
+        const bool is_own       = own.id == total.first_lost.id;
+        // Zero everywhere else, and no two ranks have the same particle.
+        for (unsigned int d = 0; d < own.place.size(); ++d)
+          total.first_lost.place[d] =
+            MPI::sum(is_own ? own.place[d] : 0., communicator);
+      }
     for (const auto &of_rank : MPI::all_gather(communicator, left))
       for (const auto &[boundary, counts] : of_rank)
         for (unsigned int i = 0; i < 2; ++i)

@@ -1,6 +1,8 @@
 #include <thalweg/simulation/mesh_adaptation.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   namespace
@@ -101,9 +103,12 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "adaptation");
     const auto                &refinement = parameters.adaptive;
-    bool                       is_wanted =
-      refinement.is_due(step) || refinement.must_adapt(view(), dt);
-    bool has_changed = false;
+    const bool                 is_ready   = step == ready_for;
+    bool is_wanted = (refinement.is_due(step) && !is_ready) ||
+                     refinement.must_adapt(view(), dt);
+    bool has_changed         = false;
+    ready_for                = step;
+    const double n_particles = parts.particles().n_global_particles();
     // A cell changes by one level at a time.
     for (unsigned int i = 0; i < most_levels_at_once && is_wanted &&
                              refinement.mark(mesh, view(), dt);
@@ -117,7 +122,9 @@ namespace Thalweg
         is_wanted   = refinement.must_adapt(view(), dt);
       }
     if (has_changed)
-      return true;
+      n_new_particles += parts.particles().n_global_particles() - n_particles;
+    if (has_changed || is_ready)
+      return has_changed;
     if (parameters.balance.is_due(view(), step))
       {
         repartition();
@@ -142,6 +149,10 @@ namespace Thalweg
   MeshAdaptation<dim>::record()
   {
     auto &statistics = context.statistics;
+    // So that the numbers of particles add up from row to row.
+    statistics.add("particles added", std::max(n_new_particles, 0.));
+    statistics.add("particles removed", std::max(-n_new_particles, 0.));
+    n_new_particles = 0.;
     statistics.set("adaptations", n_adaptations);
     statistics.set("repartitionings", n_repartitionings);
     for (const auto &[name, value] :
@@ -157,6 +168,8 @@ namespace Thalweg
   {
     archive.value("adaptations", n_adaptations);
     archive.value("repartitionings", n_repartitionings);
+    archive.value("ready for", ready_for);
+    archive.value("new particles", n_new_particles);
   }
 
 

@@ -1,7 +1,9 @@
 #include <thalweg/simulation/progress.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -86,6 +88,15 @@ namespace Thalweg
   void
   Progress::summarize(const unsigned int n_steps)
   {
+    const std::string lost = "particles lost in all";
+    if (context.statistics.has(lost) && context.statistics.get(lost) > 0)
+      {
+        std::ostringstream message;
+        message << static_cast<std::uint64_t>(context.statistics.get(lost))
+                << " particles were lost in all, which should not happen: see "
+                   "the column 'particles lost' of the statistics.";
+        context.log.warning(message.str());
+      }
     const double total = seconds_since(start);
     const auto   times =
       context.timers.get_summary_data(dealii::TimerOutput::total_wall_time);

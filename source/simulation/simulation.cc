@@ -25,6 +25,7 @@ namespace Thalweg
       "particles removed",
       "particles left",
       "particles lost",
+      "particles lost in all",
       "volume 1 before shift [m^d]",
       "volume 1 [m^d]",
       "volume 2 [m^d]",
@@ -192,24 +193,49 @@ namespace Thalweg
 
   template <int dim>
   void
+  Simulation<dim>::give_up(const std::string &reason)
+  {
+    std::string advice;
+    if (!context.output_directory.empty())
+      {
+        save();
+        advice = " The state before the step is saved: change what may be the "
+                 "cause, the tolerance or the number of iterations of the "
+                 "solver or 'Time/Courant number', and go on with --resume.";
+      }
+    std::ostringstream message;
+    message << "Step " << step + 1 << " (t = " << time
+            << " s) failed again and again, at last with a size of " << dt
+            << " s: " << reason << advice;
+    throw SolverFailure(message.str());
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::advance()
   {
     constexpr unsigned int most_halvings = 4;
     before_step.save(*parts);
+    const Archive row;
+    context.statistics.keep(row, context.log);
     for (unsigned int n_halvings = 0;; ++n_halvings)
       try
         {
+          // For warnings during the step.
+          context.statistics.set("step", step + 1);
+          context.statistics.set("time [s]", time);
           parameters.method->advance(time, dt);
           break;
         }
       catch (const SolverFailure &failure)
         {
           before_step.restore(*parts);
+          // What the failed attempt counted is not of the step.
+          context.statistics.keep(row.reader(), context.log);
           if (n_halvings == most_halvings)
-            {
-              save();
-              throw;
-            }
+            give_up(failure.what());
           dt *= .5;
           std::ostringstream message;
           message << "Step " << step + 1 << " (t = " << time

@@ -265,7 +265,36 @@ TEST(StreamlineConvectionMpi, UndefinedVelocityIsCountedAsLost)
   const auto report =
     convection.move(population, velocity, 0.1).sum(MPI_COMM_WORLD);
   EXPECT_EQ(report.n_lost, 4u);
+  EXPECT_EQ(report.first_lost.id, 0u);
+  EXPECT_EQ(report.first_lost.place, (std::array<double, 3>{{.125, .125, 0.}}));
   EXPECT_EQ(population.n_global_particles(), 60u);
+}
+
+
+TEST(StreamlineConvectionMpi, OneThrownOutOfTheDomainIsCountedAsLost)
+{
+  Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
+  make_box(mesh, 4);
+  Thalweg::Population<2> population(mesh);
+  seed_plain(population, 2);
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  for (auto &particle : population.handler())
+    if (particle.get_id() == 37)
+      {
+        particle.set_location({nowhere, nowhere});
+        particle.set_reference_location({nowhere, nowhere});
+      }
+  const Thalweg::StreamlineConvection<2> convection(mesh, {}, {});
+  const auto velocity = nodal<2>(mesh, [](const Point<2> &) {
+    return Tensor<1, 2>({1., 0.});
+  });
+  const auto report =
+    convection.move(population, velocity, 0.1).sum(MPI_COMM_WORLD);
+  EXPECT_EQ(report.n_lost, 1u);
+  EXPECT_EQ(report.first_lost.id, 37u);
+  EXPECT_EQ(population.n_global_particles(), 63u);
+  EXPECT_EQ(
+    convection.move(population, velocity, 0.1).sum(MPI_COMM_WORLD).n_lost, 0u);
 }
 
 

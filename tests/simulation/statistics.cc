@@ -22,6 +22,7 @@ TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
                                           "particles removed",
                                           "particles left",
                                           "particles lost",
+                                          "particles lost in all",
                                           "volume 1 before shift [m^d]",
                                           "volume 1 [m^d]",
                                           "volume 2 [m^d]",

@@ -4,6 +4,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -50,11 +51,12 @@ namespace Thalweg
       }
     catch (const dealii::SolverControl::NoConvergence &failure)
       {
-        throw SolverFailure(
-          "The linear solver for the " + what + " did not converge: after " +
-          std::to_string(failure.last_step) + " iterations the residual is " +
-          std::to_string(failure.last_residual) + " instead of " +
-          std::to_string(tolerance) + ".");
+        std::ostringstream message;
+        message << "The linear solver for the " << what
+                << " did not converge: after " << failure.last_step
+                << " iterations the residual is " << failure.last_residual
+                << " instead of " << tolerance << ".";
+        throw SolverFailure(message.str());
       }
     return {control.last_step(), control.last_value()};
   }

@@ -7,6 +7,7 @@
 #include <thalweg/particles/walker.h>
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,13 +27,26 @@ namespace Thalweg
     double substep_courant_number = 0.5;
   };
 
+  /// One of the particles that were lost.
+  struct LostParticle
+  {
+    dealii::types::particle_index id =
+      std::numeric_limits<dealii::types::particle_index>::max();
+    /// The centre of the cell in which it was when its way became undefined,
+    /// in m; in two dimensions the last coordinate is zero.
+    std::array<double, 3> place{};
+  };
+
   /// What became of the particles in one step, on this rank.
   struct ConvectionReport
   {
     /// Particles that ended their step on this rank.
     std::uint64_t n_moved = 0;
-    /// Removed because their velocity was not a number.
+    /// Removed because their velocity was not a number, or because they could
+    /// not be located.
     std::uint64_t n_lost = 0;
+    /// Of these the one with the lowest id.
+    LostParticle first_lost;
     /// Left through an open boundary: with a negative and with another level
     /// set value.
     std::map<dealii::types::boundary_id, std::array<std::uint64_t, 2>> left;

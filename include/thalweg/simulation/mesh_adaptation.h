@@ -73,6 +73,11 @@ namespace Thalweg
     boost::signals2::scoped_connection       weights;
     unsigned int                             n_adaptations     = 0;
     unsigned int                             n_repartitionings = 0;
+    /// By how many the particles became more before the present step.
+    double n_new_particles = 0.;
+    /// The mesh is ready for the step behind so many: a run that goes on from
+    /// where this step failed does not adapt twice.
+    unsigned int ready_for = dealii::numbers::invalid_unsigned_int;
   };
 } // namespace Thalweg
 

@@ -95,6 +95,10 @@ namespace Thalweg
     void
     advance();
 
+    /// Saves the state and throws. @param reason of the last failure
+    [[noreturn]] void
+    give_up(const std::string &reason);
+
     /// All postprocessors look at the solution.
     void
     postprocess();

@@ -47,11 +47,10 @@ namespace Thalweg
     , boundary(std::make_unique<FlowBoundary<dim>>(*velocity_space,
                                                    *pressure_space,
                                                    conditions))
-    , operators(
-        std::make_unique<FlowOperators<dim>>(*velocity_space,
-                                             *pressure_space,
-                                             *boundary,
-                                             parameters.mass == "lumped"))
+    , operators(std::make_unique<FlowOperators<dim>>(*velocity_space,
+                                                     *pressure_space,
+                                                     *boundary,
+                                                     parameters.is_lumped()))
     , step(
         std::make_unique<IncrementalStep<dim>>(context,
                                                *operators,
@@ -82,6 +81,7 @@ namespace Thalweg
                            &begin_viscous,
                            &end_viscous,
                            &end_smooth,
+                           &start,
                            &boundary_acceleration,
                            &begin_gradient,
                            &end_gradient,
@@ -176,9 +176,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidFlow<dim>::find_accelerations(Vector &begin,
-                                           Vector &end,
-                                           Vector &at_start)
+  SingleFluidFlow<dim>::find_accelerations(Vector &begin, Vector &end)
   {
     const double theta = parameters.step.viscous_theta;
     if (second_order)
@@ -188,21 +186,17 @@ namespace Thalweg
     copy_owned(end, body_force);
     begin.add(-1., begin_gradient);
     end.add(-1., end_gradient);
-    at_start.zero_out_ghost_values();
-    at_start = 0.;
     if (second_order)
       {
         begin.add(1., begin_viscous);
         end.add(1., end_smooth);
-        at_start.add(1. - theta, viscous);
-        at_start.add(theta - 1., begin_viscous);
       }
     else
       {
         begin.add(1. - theta, viscous);
         end.add(1. - theta, viscous);
       }
-    for (Vector *vector : {&begin, &end, &at_start})
+    for (Vector *vector : {&begin, &end})
       {
         boundary->project_acceleration(*vector);
         velocity_space->interpolate(*vector, dim);
@@ -213,12 +207,29 @@ namespace Thalweg
 
   template <int dim>
   void
+  SingleFluidFlow<dim>::find_start(const Vector &velocity_star)
+  {
+    copy_owned(start, velocity_star);
+    const double part = (1. - parameters.step.viscous_theta) * dt;
+    if (second_order && part > 0.)
+      {
+        start.add(part, viscous);
+        start.add(-part, begin_viscous);
+      }
+    velocity_space->interpolate(start, dim);
+  }
+
+
+
+  template <int dim>
+  void
   SingleFluidFlow<dim>::solve(const Vector &velocity_star)
   {
+    find_start(velocity_star);
     copy_owned(force, body_force);
     force.add(1., viscous);
     velocity_space->interpolate(force, dim);
-    step->solve(velocity_star,
+    step->solve(start,
                 {pressure, pressure_gradient, end_smooth, force},
                 !is_consistent(),
                 dt,

@@ -72,9 +72,10 @@ namespace Thalweg
     section.add("Mass",
                 mass,
                 "",
-                "The mass matrix of the mesh: `consistent`, or `lumped` (by "
-                "quadrature at the nodes).",
-                dealii::Patterns::Selection("consistent|lumped"));
+                "The mass matrix of the mesh: `consistent`, `lumped` (by "
+                "quadrature at the nodes), or `by degree`: consistent for "
+                "velocities of degree 1, lumped for those of degree 2.",
+                dealii::Patterns::Selection("by degree|consistent|lumped"));
     section.add("Time integration",
                 order,
                 "",
@@ -99,6 +100,15 @@ namespace Thalweg
     stabilization.declare_parameters(section.enter("Stabilization"),
                                      "oss",
                                      "stabilization of the pressure");
+  }
+
+
+
+  template <int dim>
+  bool
+  SingleFluidFlowParameters<dim>::is_lumped() const
+  {
+    return mass == "lumped" || (mass == "by degree" && velocity_degree == 2);
   }
 
 

@@ -28,7 +28,7 @@ namespace Thalweg
       std::make_unique<FlowOperators<dim>>(*velocity_space,
                                            *own_explicit_space,
                                            *own_explicit_boundary,
-                                           parameters.mass == "lumped");
+                                           parameters.is_lumped());
     own_explicit_step =
       std::make_unique<IncrementalStep<dim>>(context,
                                              *own_explicit_operators,

@@ -17,7 +17,8 @@ namespace Thalweg
                 "How often a step is made again from its beginning, with the "
                 "velocity and pressure found for its end (Eq. 63 with theta = "
                 "1/2); 0: these are extrapolated from the last steps. Each "
-                "costs as much as a step.",
+                "costs as much as a step. Steps of second order whose `Viscous "
+                "theta` is below 1 have at least one.",
                 dealii::Patterns::Integer(0));
     section.add("First corrections",
                 first_corrections,
@@ -29,8 +30,9 @@ namespace Thalweg
                 blend,
                 "",
                 "The part of the particles' velocity that is replaced by the "
-                "mesh's each step. 0: they take the increment only (Eq. 81e), "
-                "which costs no energy; 1: they take the mesh's velocity.",
+                "mesh's each step, which damps what the mesh does not see. 0: "
+                "they take the increment only (Eq. 81e); 1: they take the "
+                "mesh's velocity.",
                 dealii::Patterns::Double(0, 1));
     projection.declare_parameters(section.enter("Projection"),
                                   "l2",
@@ -57,7 +59,7 @@ namespace Thalweg
       return std::numeric_limits<double>::infinity();
     // (65) with the greatest eigenvalue of M^{-1} K on squares and cubes.
     const double eigenvalue = flow_parameters.velocity_degree == 2 ? 60.
-                              : flow_parameters.mass == "lumped"   ? 4.
+                              : flow_parameters.is_lumped()        ? 4.
                                                                    : 12.;
     return 2. / (eigenvalue * dim * (1. - 2. * theta));
   }
@@ -79,10 +81,8 @@ namespace Thalweg
                                                   parts->fluids[0],
                                                   parts->forces,
                                                   parts->conditions);
-    for (Vector *vector : {&begin_acceleration,
-                           &end_acceleration,
-                           &acceleration_at_start,
-                           &velocity_star})
+    for (Vector *vector :
+         {&begin_acceleration, &end_acceleration, &velocity_star})
       flow->space().initialize(*vector, dim);
     parts->space.initialize_scalar(level_set);
     path.degree = flow->space().degree();
@@ -163,9 +163,15 @@ namespace Thalweg
   unsigned int
   SingleFluidPfem2<dim>::n_passes() const
   {
-    return 1 + (flow->is_at_start()
-                  ? std::max(first_corrections, corrector_iterations)
-                  : corrector_iterations);
+    // Viscosity below theta = 1 turns rough fields over from step to step;
+    // extrapolation triples them with the wrong sign.
+    const bool turns_over = flow_parameters.order == "second order" &&
+                            flow_parameters.step.viscous_theta < 1.;
+    unsigned int corrections =
+      std::max(corrector_iterations, turns_over ? 1u : 0u);
+    if (flow->is_at_start())
+      corrections = std::max(corrections, first_corrections);
+    return 1 + corrections;
   }
 
 
@@ -181,7 +187,6 @@ namespace Thalweg
     nodes.copy_to_cells(end_acceleration, path.end_acceleration);
     {
       dealii::TimerOutput::Scope scope(parts->context.timers, "convection");
-      add_field(parts->population, nodes, acceleration_at_start, dt);
       report = parts->paths.move(parts->population, path, dt);
     }
     dealii::TimerOutput::Scope scope(parts->context.timers, "population");
@@ -212,8 +217,7 @@ namespace Thalweg
         {
           dealii::TimerOutput::Scope scope(timers, "accelerations");
           flow->find_accelerations(begin_acceleration,
-                                   end_acceleration,
-                                   acceleration_at_start); // (77) to (80)
+                                   end_acceleration); // (77) to (80)
         }
         move_particles(dt); // (81a)
         {

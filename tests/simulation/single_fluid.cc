@@ -225,6 +225,28 @@ TEST(SingleFluid, PoiseuillesFlowIsSteadyAtAnyFourierNumber)
 
 
 
+TEST(SingleFluid, TrapezoidalViscosityIsStableAtFourierNumber100)
+{
+  const auto error = [](const unsigned int n_steps) {
+    const double      dt    = 100. / 256.; // nu dt / h^2 = 100, h = 1/16
+    const std::string noise = "0.1*sin(16*pi*x)*sin(7*pi*y)";
+    const RunCase<2>  run(
+      unit_box<2>(16, "0", {"Periodic boundaries = left:right"}) +
+      method({"Viscous theta = 0.5"}) + steps(dt, n_steps * dt) +
+      one_fluid(1., 1.) + section("Body forces", {"Force density = 8; 0"}) +
+      section("Boundary conditions", {"No slip = bottom, top"}) +
+      starts_with("4*y*(1-y) + " + noise + "; 0.1*sin(12*pi*x)*sin(12*pi*y)"));
+    return velocity_error(run, [](const auto &p) {
+      dealii::Tensor<1, 2> u;
+      u[0] = 4. * p[1] * (1. - p[1]);
+      return u;
+    });
+  };
+  EXPECT_LT(error(50), error(1));
+}
+
+
+
 TEST(SingleFluid, WaterAtRestStaysAtRest)
 {
   for (const std::string &degrees :

@@ -47,10 +47,9 @@ namespace Thalweg
      * @brief The accelerations of the step as far as they are known, m/s^2.
      * @param begin along the path, at the beginning of the step
      * @param end the same at its end, linear in time in between
-     * @param at_start for the whole step, where particles start
      */
     void
-    find_accelerations(Vector &begin, Vector &end, Vector &at_start);
+    find_accelerations(Vector &begin, Vector &end);
 
     /// Solves for the end of the step (Eq. 81b to 81d).
     /// @param velocity_star projected from the particles, ghosted
@@ -121,6 +120,11 @@ namespace Thalweg
     void
     find_viscous(const Vector &velocity, Vector &g, Vector &smoothed);
 
+    /// What the implicit solve starts from: the projected velocity, and the
+    /// viscous acceleration of the beginning that particles do not carry.
+    void
+    find_start(const Vector &velocity_star);
+
     /// Whether the explicit pressure follows from the velocity.
     bool
     is_consistent() const
@@ -184,7 +188,7 @@ namespace Thalweg
     /// Incremental: the change of the pressure in a second.
     Vector pressure_rate;
     Vector body_force, boundary_acceleration;
-    Vector viscous, begin_viscous, end_viscous, end_smooth;
+    Vector viscous, begin_viscous, end_viscous, end_smooth, start;
     Vector begin_gradient, end_gradient, pressure_gradient, force;
     /// For those who look: Pa and N.
     Vector          physical_pressure, reaction;

@@ -31,6 +31,10 @@ namespace Thalweg
     void
     declare_parameters(const Section &section);
 
+    /// Whether the mass matrix is diagonal.
+    bool
+    is_lumped() const;
+
     /// @throws dealii::ExcMessage
     void
     check() const;

@@ -81,8 +81,7 @@ namespace Thalweg
     Vector                                level_set;
     PopulationSnapshot<dim>               particles_at_start;
     PathFields<dim>                       path;
-    Vector begin_acceleration, end_acceleration, acceleration_at_start;
-    Vector velocity_star;
+    Vector begin_acceleration, end_acceleration, velocity_star;
     /// Of the present pass.
     ConvectionReport report;
     unsigned int     n_added = 0;

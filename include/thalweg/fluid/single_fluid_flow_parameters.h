@@ -41,7 +41,7 @@ namespace Thalweg
 
     unsigned int velocity_degree = 1;
     unsigned int pressure_degree = 1;
-    std::string  mass            = "consistent";
+    std::string  mass            = "by degree";
     /// "first order" or "second order".
     std::string order = "second order";
     /// "consistent" or "incremental".

@@ -1,7 +1,6 @@
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/methods/advection.h>
-#include <thalweg/transfer/feet_in_place.h>
 
 namespace Thalweg
 {
@@ -95,16 +94,7 @@ namespace Thalweg
   void
   Advection<dim>::repopulate()
   {
-    parts->control.fill_empty_cells(parts->population,
-                                    [&](const auto &cells, const auto &points) {
-                                      return feet_in_place(cells,
-                                                           points,
-                                                           parts->space,
-                                                           projected_velocity,
-                                                           parts->space,
-                                                           level_set);
-                                    });
-    parts->control.limit(parts->population);
+    repopulate_in_place(*parts, parts->space, projected_velocity, level_set);
   }
 
 

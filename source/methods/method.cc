@@ -1,4 +1,5 @@
 #include <thalweg/methods/method.h>
+#include <thalweg/transfer/feet_in_place.h>
 
 #include <cmath>
 #include <sstream>
@@ -62,6 +63,27 @@ namespace Thalweg
 
   template <int dim>
   void
+  repopulate_in_place(const Parts<dim>         &parts,
+                      const LagrangeSpace<dim> &velocity_space,
+                      const Vector             &velocity,
+                      const Vector             &level_set)
+  {
+    parts.control.fill_empty_cells(parts.population,
+                                   [&](const auto &cells, const auto &points) {
+                                     return feet_in_place(cells,
+                                                          points,
+                                                          velocity_space,
+                                                          velocity,
+                                                          parts.space,
+                                                          level_set);
+                                   });
+    parts.control.limit(parts.population);
+  }
+
+
+
+  template <int dim>
+  void
   record_particles(const Parts<dim>       &parts,
                    const ConvectionReport &local_report,
                    const unsigned int      n_added,
@@ -85,6 +107,16 @@ namespace Thalweg
 
 
 
+  template void
+  repopulate_in_place(const Parts<2> &,
+                      const LagrangeSpace<2> &,
+                      const Vector &,
+                      const Vector &);
+  template void
+  repopulate_in_place(const Parts<3> &,
+                      const LagrangeSpace<3> &,
+                      const Vector &,
+                      const Vector &);
   template void
   record_particles<2>(const Parts<2> &,
                       const ConvectionReport &,

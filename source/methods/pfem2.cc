@@ -1,5 +1,4 @@
 #include <thalweg/methods/pfem2.h>
-#include <thalweg/transfer/feet_in_place.h>
 
 #include <algorithm>
 
@@ -88,16 +87,10 @@ namespace Thalweg
   void
   Pfem2<dim>::repopulate()
   {
-    parts->control.fill_empty_cells(
-      parts->population, [&](const auto &cells, const auto &points) {
-        return feet_in_place(cells,
-                             points,
-                             parts->space,
-                             parts->flow.velocity(),
-                             parts->space,
-                             level_set);
-      });
-    parts->control.limit(parts->population);
+    repopulate_in_place(*parts,
+                        parts->space,
+                        parts->flow.velocity(),
+                        level_set);
   }
 
 

@@ -1,6 +1,5 @@
 #include <thalweg/fields/vertex_values.h>
 #include <thalweg/methods/single_fluid_pfem2.h>
-#include <thalweg/transfer/feet_in_place.h>
 
 #include <algorithm>
 
@@ -127,16 +126,7 @@ namespace Thalweg
   void
   SingleFluidPfem2<dim>::repopulate()
   {
-    parts->control.fill_empty_cells(parts->population,
-                                    [&](const auto &cells, const auto &points) {
-                                      return feet_in_place(cells,
-                                                           points,
-                                                           flow->space(),
-                                                           flow->velocity(),
-                                                           parts->space,
-                                                           level_set);
-                                    });
-    parts->control.limit(parts->population);
+    repopulate_in_place(*parts, flow->space(), flow->velocity(), level_set);
   }
 
 

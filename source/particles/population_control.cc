@@ -1,5 +1,6 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/particles/population_control.h>
+#include <thalweg/particles/sub_cell.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -14,11 +15,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Differences of reference coordinates that say nothing: decisions must
-    /// not depend on them, else runs on other numbers of ranks, which differ
-    /// by round-off, part ways where particles stand symmetrically.
-    constexpr double round_off = 1e-6;
-
     /// A total order of points that does not see round-off.
     template <int dim>
     bool
@@ -26,22 +22,12 @@ namespace Thalweg
     {
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const long i = std::lround(a[d] / round_off);
-          const long j = std::lround(b[d] / round_off);
+          const long i = std::lround(a[d] / reference_round_off);
+          const long j = std::lround(b[d] / reference_round_off);
           if (i != j)
             return i < j;
         }
       return false;
-    }
-
-    template <int dim>
-    unsigned int
-    sub_cell(const dealii::Point<dim> &reference)
-    {
-      unsigned int index = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        index += (reference[d] >= 0.5 - round_off ? 1u : 0u) << d;
-      return index;
     }
 
     template <int dim>
@@ -120,11 +106,11 @@ namespace Thalweg
         unsigned int removed = 0;
         const auto   choose  = [&](const unsigned int i, const unsigned int j) {
           const double distance = points[i].distance(points[j]);
-          if (distance > nearest + round_off)
+          if (distance > nearest + reference_round_off)
             return;
           const unsigned int later =
             stands_before(points[i], points[j]) ? j : i;
-          if (distance < nearest - round_off ||
+          if (distance < nearest - reference_round_off ||
               stands_before(points[removed], points[later]))
             removed = later;
           nearest = std::min(nearest, distance);

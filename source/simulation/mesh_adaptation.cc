@@ -106,9 +106,10 @@ namespace Thalweg
     const bool                 is_ready   = step == ready_for;
     bool is_wanted = (refinement.is_due(step) && !is_ready) ||
                      refinement.must_adapt(view(), dt);
-    bool has_changed         = false;
-    ready_for                = step;
-    const double n_particles = parts.particles().n_global_particles();
+    bool has_changed = false;
+    ready_for        = step;
+    const double n_particles =
+      is_wanted ? parts.particles().n_global_particles() : 0.;
     // A cell changes by one level at a time.
     for (unsigned int i = 0; i < most_levels_at_once && is_wanted &&
                              refinement.mark(mesh, view(), dt);

@@ -24,16 +24,6 @@ namespace Thalweg
                     "': " + (error ? error.message() : "it is a file") +
                     ". Choose another one with --output DIR."));
     }
-
-
-    std::string
-    content_of(const std::string &path)
-    {
-      const std::ifstream file(path, std::ios::binary);
-      std::ostringstream  content;
-      content << file.rdbuf();
-      return content.str();
-    }
   } // namespace
 
 
@@ -57,6 +47,17 @@ namespace Thalweg
   }
 
 
+  std::string
+  read_file(const std::string &path)
+  {
+    const std::ifstream file(path, std::ios::binary);
+    std::ostringstream  content;
+    content << file.rdbuf();
+    AssertThrow(file, dealii::ExcMessage("Cannot read '" + path + "'."));
+    return content.str();
+  }
+
+
   void
   prepare_run_directory(Context                        &context,
                         const std::string              &directory,
@@ -68,7 +69,7 @@ namespace Thalweg
       const bool has_original =
         context.resumed && std::filesystem::exists(directory + "/original.prm");
       if (!input_file.empty() && !has_original)
-        write_file(directory + "/original.prm", content_of(input_file));
+        write_file(directory + "/original.prm", read_file(input_file));
       std::ostringstream parameters;
       prm.print_parameters(parameters,
                            static_cast<dealii::ParameterHandler::OutputStyle>(

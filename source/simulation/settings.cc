@@ -1,10 +1,9 @@
+#include <thalweg/core/declared.h>
 #include <thalweg/simulation/settings.h>
 
-#include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace Thalweg
 {
@@ -28,12 +27,6 @@ namespace Thalweg
                                   0;
                          });
     }
-
-    bool
-    begins_with(const std::string &line, const std::string &word)
-    {
-      return line.compare(0, word.size(), word) == 0;
-    }
   } // namespace
 
 
@@ -41,30 +34,9 @@ namespace Thalweg
   Settings
   settings_of(const dealii::ParameterHandler &prm)
   {
-    std::stringstream text;
-    prm.print_parameters(text,
-                         static_cast<dealii::ParameterHandler::OutputStyle>(
-                           dealii::ParameterHandler::PRM |
-                           dealii::ParameterHandler::Short));
-    Settings                 settings;
-    std::vector<std::string> sections;
-    for (std::string line; std::getline(text, line);)
-      {
-        line = dealii::Utilities::trim(line);
-        if (begins_with(line, "subsection "))
-          sections.push_back(line.substr(11) + "/");
-        else if (line == "end")
-          sections.pop_back();
-        else if (begins_with(line, "set "))
-          {
-            const auto  equals = line.find('=');
-            std::string name;
-            for (const std::string &section : sections)
-              name += section;
-            name += dealii::Utilities::trim(line.substr(4, equals - 4));
-            settings[name] = dealii::Utilities::trim(line.substr(equals + 1));
-          }
-      }
+    Settings settings;
+    for (const DeclaredParameter &parameter : Declared(prm).parameters)
+      settings[parameter.path] = dealii::Utilities::trim(parameter.value);
     return settings;
   }
 

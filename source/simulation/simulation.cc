@@ -158,9 +158,7 @@ namespace Thalweg
       std::to_string(
         dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
       " processes");
-    const std::string warning =
-      parameters.time.warning({fourier_rate(parameters.fluids, mesh),
-                               parameters.method->fourier_limit()});
+    const std::string warning = parameters.time.warning(viscous);
     if (!warning.empty())
       context.log.warning(warning);
   }
@@ -180,12 +178,20 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::choose_step()
+  Simulation<dim>::find_viscous_limit()
   {
     viscous = {fourier_rate(parameters.fluids, mesh),
                parameters.method->fourier_limit()};
-    rate    = courant_rate(parameters.method->velocity());
-    dt      = parameters.time.next_step(time, rate, usual_dt, viscous);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::choose_step()
+  {
+    rate = courant_rate(parameters.method->velocity());
+    dt   = parameters.time.next_step(time, rate, usual_dt, viscous);
     check_courant_number(rate * dt);
   }
 
@@ -260,8 +266,9 @@ namespace Thalweg
     if (context.is_root && !context.output_directory.empty())
       context.statistics.open(context.output_directory + "/statistics.csv",
                               context.resumed);
+    Archive values;
     if (context.resumed)
-      load_mesh(checkpoint);
+      values = load_mesh(checkpoint);
     else
       {
         checkpoints.set_aside();
@@ -274,7 +281,8 @@ namespace Thalweg
         postprocessor->initialize(context, view());
       }
     if (context.resumed)
-      load_state(checkpoint);
+      load_state(checkpoint, values);
+    find_viscous_limit();
     announce();
     if (!context.resumed)
       postprocess();
@@ -305,7 +313,10 @@ namespace Thalweg
       {
         choose_step();
         if (adaptation->before_step(step, dt))
-          choose_step();
+          {
+            find_viscous_limit();
+            choose_step();
+          }
         advance();
         wish = signals.wish(context.communicator);
         record();

@@ -4,7 +4,6 @@
 #include <thalweg/simulation/simulation.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
-#include <fstream>
 #include <sstream>
 
 namespace Thalweg
@@ -24,19 +23,15 @@ namespace Thalweg
       return text;
     }
 
-    /// The file on the root process, for all.
-    std::string
-    read_for_all(const MPI_Comm communicator, const std::string &path)
+    /// The values in the checkpoint in @p directory. Collective.
+    Archive
+    read_values(const MPI_Comm communicator, const std::string &directory)
     {
-      std::string content;
-      on_root(communicator, [&]() {
-        std::ifstream      file(path, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        content = text.str();
-        AssertThrow(file, dealii::ExcMessage("Cannot read '" + path + "'."));
-      });
-      return dealii::Utilities::MPI::broadcast(communicator, content, 0);
+      std::string bytes;
+      on_root(communicator,
+              [&]() { bytes = read_file(directory + values_file); });
+      return Archive::restore(
+        dealii::Utilities::MPI::broadcast(communicator, bytes, 0));
     }
   } // namespace
 
@@ -147,7 +142,7 @@ namespace Thalweg
 
 
   template <int dim>
-  void
+  Archive
   Simulation<dim>::load_mesh(const CheckpointOutline &checkpoint)
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
@@ -157,22 +152,22 @@ namespace Thalweg
     mesh.update();
     parts = std::make_unique<SimulationParts<dim>>(parameters, context, mesh);
     make_adaptation();
-    const Archive values = Archive::restore(
-      read_for_all(context.communicator, checkpoint.directory + values_file));
+    const Archive values =
+      read_values(context.communicator, checkpoint.directory);
     parts->keep_constants(values.enter("constants"));
     parts->build();
+    return values;
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::load_state(const CheckpointOutline &checkpoint)
+  Simulation<dim>::load_state(const CheckpointOutline &checkpoint,
+                              const Archive           &values)
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
-    const Archive              values = Archive::restore(
-      read_for_all(context.communicator, checkpoint.directory + values_file));
-    const State<dim> state(values);
+    const State<dim>           state(values);
     keep(state);
     MeshTransfer<dim> transfer(mesh, parts->particles());
     transfer.keep(values.enter("fields"));
@@ -200,14 +195,14 @@ namespace Thalweg
   Simulation<2>::save_if_due(const StopSignals::Wish);
   template void
   Simulation<3>::save_if_due(const StopSignals::Wish);
-  template void
+  template Archive
   Simulation<2>::load_mesh(const CheckpointOutline &);
-  template void
+  template Archive
   Simulation<3>::load_mesh(const CheckpointOutline &);
   template void
-  Simulation<2>::load_state(const CheckpointOutline &);
+  Simulation<2>::load_state(const CheckpointOutline &, const Archive &);
   template void
-  Simulation<3>::load_state(const CheckpointOutline &);
+  Simulation<3>::load_state(const CheckpointOutline &, const Archive &);
   template void
   Simulation<2>::check(const CheckpointOutline &) const;
   template void

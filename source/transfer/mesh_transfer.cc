@@ -1,7 +1,10 @@
 #include <thalweg/core/bytes.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/lagrange_shape.h>
+#include <thalweg/particles/sub_cell.h>
 #include <thalweg/transfer/mesh_transfer.h>
+
+#include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +13,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Places that differ by less in the reference cell are the same: which
-    /// child of a cell covers a particle must not depend on round-off.
-    constexpr double round_off = 1e-6;
-
     template <int dim>
     void
     append_particle(std::vector<char>         &bytes,
@@ -37,30 +36,15 @@ namespace Thalweg
       return particle;
     }
 
-    /// Where in the parent the child's corner 0 is.
-    double
-    child_offset(const unsigned int child, const unsigned int direction)
-    {
-      return (child >> direction) & 1u ? .5 : 0.;
-    }
-
-    template <int dim>
-    unsigned int
-    covering_child(const dealii::Point<dim> &reference)
-    {
-      unsigned int child = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        child |= (reference[d] >= .5 - round_off ? 1u : 0u) << d;
-      return child;
-    }
-
+    /// @p reference of a cell's parent in the child that covers it.
     template <int dim>
     dealii::Point<dim>
     from_parent(const dealii::Point<dim> &reference, const unsigned int child)
     {
-      dealii::Point<dim> inside;
+      auto inside =
+        dealii::GeometryInfo<dim>::cell_to_child_coordinates(reference, child);
       for (unsigned int d = 0; d < dim; ++d)
-        inside[d] = std::max(0., 2. * (reference[d] - child_offset(child, d)));
+        inside[d] = std::max(0., inside[d]);
       return inside;
     }
 
@@ -68,11 +52,10 @@ namespace Thalweg
     dealii::Point<dim>
     to_parent(const dealii::Point<dim> &reference, const unsigned int child)
     {
-      dealii::Point<dim> inside;
-      for (unsigned int d = 0; d < dim; ++d)
-        inside[d] = .5 * reference[d] + child_offset(child, d);
-      return inside;
+      return dealii::GeometryInfo<dim>::child_to_cell_coordinates(reference,
+                                                                  child);
     }
+
     /// The number of the node of Lagrange elements at @p unit.
     template <int dim>
     unsigned int
@@ -208,7 +191,7 @@ namespace Thalweg
             {
               // A node of the parent is one of the child that covers it.
               const auto &unit  = field.space->unit_nodes()[i];
-              const auto  child = covering_child<dim>(unit);
+              const auto  child = sub_cell<dim>(unit);
               source            = cell->child(child);
               place             = node_at<dim>(from_parent<dim>(unit, child),
                                    field.space->degree());
@@ -286,7 +269,7 @@ namespace Thalweg
     CellIterator          target = cell;
     if (fate == Compat::CellFate::is_refined)
       {
-        const auto child   = covering_child<dim>(particle.reference);
+        const auto child   = sub_cell<dim>(particle.reference);
         target             = cell->child(child);
         particle.reference = from_parent<dim>(particle.reference, child);
       }

@@ -50,13 +50,6 @@ namespace Thalweg
       return mode == Mode::read;
     }
 
-    /// Whether value() stores its argument.
-    bool
-    is_saving() const
-    {
-      return mode == Mode::write;
-    }
-
     /// Whether an archive that is read has something of this name.
     bool
     has(const std::string &name) const;

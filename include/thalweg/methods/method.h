@@ -120,6 +120,20 @@ namespace Thalweg
     }
   };
 
+  /**
+   * @brief Fills empty cells with particles that have @p velocity and
+   * @p level_set where they stand, and thins crowded ones; for
+   * Method::repopulate(). Collective.
+   * @param velocity_space, velocity in m/s, ghosted
+   * @param level_set at the nodes of Parts::space, ghosted
+   */
+  template <int dim>
+  void
+  repopulate_in_place(const Parts<dim>         &parts,
+                      const LagrangeSpace<dim> &velocity_space,
+                      const Vector             &velocity,
+                      const Vector             &level_set);
+
   /// Writes what convection and population control did into the statistics.
   template <int dim>
   void

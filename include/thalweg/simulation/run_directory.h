@@ -39,6 +39,11 @@ namespace Thalweg
    */
   void
   write_file(const std::string &path, const std::string &content);
+
+  /// The content of the file @p path.
+  /// @throws dealii::ExcMessage if it cannot be read
+  std::string
+  read_file(const std::string &path);
 } // namespace Thalweg
 
 #endif

@@ -57,12 +57,14 @@ namespace Thalweg
     make_adaptation();
 
     /// Makes mesh and parts of a checkpoint, but not yet its state.
-    void
+    /// @return the values of the checkpoint
+    Archive
     load_mesh(const CheckpointOutline &checkpoint);
 
     /// Reads the state of a checkpoint whose mesh was loaded.
+    /// @param values of the checkpoint
     void
-    load_state(const CheckpointOutline &checkpoint);
+    load_state(const CheckpointOutline &checkpoint, const Archive &values);
 
     /// @throws dealii::ExcMessage if @p checkpoint is of another mesh or for
     ///   other fluids or methods
@@ -85,6 +87,10 @@ namespace Thalweg
     /// What the log says before the first step.
     void
     announce();
+
+    /// Finds the limits that viscosity sets to steps on the present mesh.
+    void
+    find_viscous_limit();
 
     /// The next step as the parameters want it, and what its size follows
     /// from.

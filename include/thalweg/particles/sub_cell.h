@@ -1,0 +1,26 @@
+#ifndef thalweg_particles_sub_cell_h
+#define thalweg_particles_sub_cell_h
+
+#include <deal.II/base/point.h>
+
+namespace Thalweg
+{
+  /// Differences of reference coordinates that say nothing: decisions must
+  /// not depend on them, else runs on other numbers of ranks, which differ by
+  /// round-off, part ways where particles stand symmetrically.
+  constexpr double reference_round_off = 1e-6;
+
+  /// Which of the 2^dim halves of the reference cell @p reference lies in,
+  /// numbered as the cell's children are.
+  template <int dim>
+  unsigned int
+  sub_cell(const dealii::Point<dim> &reference)
+  {
+    unsigned int index = 0;
+    for (unsigned int d = 0; d < dim; ++d)
+      index += (reference[d] >= .5 - reference_round_off ? 1u : 0u) << d;
+    return index;
+  }
+} // namespace Thalweg
+
+#endif

@@ -38,6 +38,7 @@ namespace Thalweg
                 [&boundary](Vector &field) { boundary.project_slip(field); })
     , fixed_mass(operators.mass, dim, projector(boundary))
     , pressure_mass(operators.pressure_mass, 1)
+    , extension(operators.velocity_space, boundary)
     , poisson(operators, boundary)
     , convection(operators)
   {
@@ -45,6 +46,11 @@ namespace Thalweg
       operators.velocity_space.initialize(*vector, dim);
     for (Vector *vector : {&pressure_load, &increment, &divergence})
       operators.pressure_space.initialize(*vector, 1);
+    operators.velocity_space.initialize(lumped_mass, dim);
+    change = 1.;
+    operators.velocity_space.interpolate(change, dim);
+    operators.mass.add_product(change, lumped_mass, dim, 1.);
+    operators.velocity_space.fold(lumped_mass, dim);
     tau.assign(operators.cell_lengths().size(), 0.);
     factors.assign(tau.size(), 1.);
   }
@@ -59,7 +65,37 @@ namespace Thalweg
     operators.stiffness.add_product(velocity, load, dim, -nu);
     operators.add_boundary_gradient(velocity, load, nu);
     operators.velocity_space.fold(load, dim);
-    solve(slip_mass, g, "viscous acceleration");
+    if (operators.velocity_space.degree() == 1)
+      extend_to_boundary(g);
+    else
+      solve(slip_mass, g, "viscous acceleration");
+  }
+
+
+
+  template <int dim>
+  void
+  IncrementalStep<dim>::extend_to_boundary(Vector &g)
+  {
+    const auto &space = operators.velocity_space;
+    change.zero_out_ghost_values();
+    change = 0.;
+    for (unsigned int i = 0; i < dim * space.n_owned_nodes(); ++i)
+      if (!space.is_dependent(i / dim))
+        change.local_element(i) =
+          load.local_element(i) / lumped_mass.local_element(i);
+    boundary.project_slip(change);
+    Vector at_boundary(change);
+    extension.extend(change, at_boundary);
+    change.zero_out_ghost_values();
+    change = 0.;
+    operators.mass.add_product(at_boundary, change, dim, -1.);
+    space.fold(change, dim);
+    load.add(1., change);
+    solve(fixed_mass, g, "viscous acceleration");
+    g.zero_out_ghost_values();
+    g.add(1., at_boundary);
+    space.interpolate(g, dim);
   }
 
 

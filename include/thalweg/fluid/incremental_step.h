@@ -2,6 +2,7 @@
 #define thalweg_fluid_incremental_step_h
 
 #include <thalweg/core/context.h>
+#include <thalweg/fields/boundary_extension.h>
 #include <thalweg/fields/operator_solver.h>
 #include <thalweg/fluid/body_forces.h>
 #include <thalweg/fluid/convective_term.h>
@@ -32,8 +33,14 @@ namespace Thalweg
                     const IncrementalStepParameters  &parameters,
                     const double                      kinematic_viscosity);
 
-    /// g: M g = -nu K V + boundary terms (Eq. 78), m/s^2. At slip walls, which
-    /// have no such terms, its normal component is zero, as on flat ones.
+    /**
+     * @brief g: M g = -nu K V + boundary terms (Eq. 78), m/s^2.
+     *
+     * At slip walls, which have no such terms, its normal component is zero,
+     * as on flat ones. Elements of degree 1 do not know second derivatives at
+     * boundaries, where this equation then makes g zero: there they have those
+     * of the nodes next to them instead.
+     */
     void
     viscous_acceleration(const Vector &velocity, Vector &g);
 
@@ -102,6 +109,11 @@ namespace Thalweg
     void
     update_implicit(const double dt);
 
+    /// What g is, by the lumped mass, at the nodes of boundaries where the
+    /// velocity is given; g: M g = load, @p g without its values there.
+    void
+    extend_to_boundary(Vector &g);
+
     /// tau of each cell, and tau / dt + 1 for the operator of the pressure.
     void
     find_stabilization(const Vector &velocity,
@@ -139,6 +151,8 @@ namespace Thalweg
     OperatorSolver<dim>                  slip_mass;  ///< normals at slip walls
     OperatorSolver<dim>                  fixed_mass; ///< with fixed nodes
     OperatorSolver<dim>                  pressure_mass;
+    BoundaryExtension<dim>               extension;
+    Vector                               lumped_mass; ///< M 1
     PressurePoisson<dim>                 poisson;
     ConvectiveTerm<dim>                  convection;
     double                               implicit_dt = -1.;

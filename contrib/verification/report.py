@@ -57,7 +57,7 @@ class Report:
         SCALE is that of both axes, or 'x scale, y scale'."""
         if pyplot is None:
             return
-        figure, axes = pyplot.subplots(figsize=(6, 4))
+        figure, axes = pyplot.subplots(figsize=(7.5, 4))
         for label, x, y, style in curves:
             axes.plot(x, y, style, label=label)
         scales = scale.split(", ")
@@ -65,7 +65,7 @@ class Report:
         axes.set_yscale(scales[-1])
         axes.set_xlabel(x_label)
         axes.set_ylabel(y_label)
-        axes.legend()
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.), frameon=False)
         figure.tight_layout()
         figure.savefig(self.directory / (name + ".png"), dpi=120)
         pyplot.close(figure)

@@ -17,7 +17,18 @@ namespace Thalweg
     const auto &space = operators.velocity_space;
     space.initialize(velocity, dim);
     space.initialize(acceleration, dim);
+    space.initialize(area, dim);
+    collect_boundary_cells();
+    collect_faces();
+  }
 
+
+
+  template <int dim>
+  void
+  BoundaryReaction<dim>::collect_boundary_cells()
+  {
+    const auto &space = operators.velocity_space;
     // Cells of other ranks add to nodes of this one, too.
     Vector is_fixed;
     space.initialize(is_fixed, 1);
@@ -32,6 +43,52 @@ namespace Thalweg
         if (any)
           boundary_cells.push_back(c);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryReaction<dim>::collect_faces()
+  {
+    using namespace dealii;
+    const auto           &V   = operators.velocity_space;
+    const auto           &P   = operators.pressure_space;
+    const auto           &row = V.lexicographic(), &place = P.lexicographic();
+    const unsigned int    n = row.size(), m = place.size();
+    const QGauss<dim - 1> gauss(V.degree() + 1);
+    FEFaceValues<dim>     velocity(V.mapping(),
+                               V.scalar().get_fe(),
+                               gauss,
+                               update_values | update_normal_vectors |
+                                 update_JxW_values);
+    FEFaceValues<dim>     pressure(V.mapping(),
+                               P.scalar().get_fe(),
+                               gauss,
+                               update_values);
+    for_each_sticking_face(
+      V.mesh().graph(),
+      boundary.conditions(),
+      [&](const unsigned int c, const unsigned int f) {
+        const auto &cell = V.mesh().graph().iterator(c);
+        velocity.reinit(Compat::on_dof_handler(cell, V.scalar()), f);
+        pressure.reinit(Compat::on_dof_handler(cell, P.scalar()), f);
+        Face face{c, std::vector<double>(n), {n * m, Tensor<1, dim>()}};
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double w = velocity.shape_value(i, q) * velocity.JxW(q);
+              face.area[row[i]] += w;
+              for (unsigned int j = 0; j < m; ++j)
+                face.pressure[row[i] * m + place[j]] +=
+                  w * pressure.shape_value(j, q) * velocity.normal_vector(q);
+            }
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            area.local_element(dim * V.nodes(c)[i] + d) += face.area[i];
+        faces.push_back(std::move(face));
+      });
+    V.fold(area, dim);
   }
 
 
@@ -115,6 +172,42 @@ namespace Thalweg
     boundary.project(free);
     reaction.add(-1., free);
     space.interpolate(reaction, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryReaction<dim>::find_traction(const Vector &reaction,
+                                       const Vector &pressure,
+                                       const double  density,
+                                       Vector       &traction) const
+  {
+    const auto        &V = operators.velocity_space;
+    const auto        &P = operators.pressure_space;
+    const unsigned int n = V.n_nodes_per_cell(), m = P.n_nodes_per_cell();
+    traction.zero_out_ghost_values();
+    traction = 0.;
+    for (const Face &face : faces)
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          dealii::Tensor<1, dim> force;
+          for (unsigned int j = 0; j < m; ++j)
+            force += pressure.local_element(P.nodes(face.cell)[j]) *
+                     face.pressure[i * m + j];
+          for (unsigned int d = 0; d < dim; ++d)
+            traction.local_element(dim * V.nodes(face.cell)[i] + d) -=
+              density * force[d];
+        }
+    V.fold(traction, dim);
+    for (unsigned int i = 0; i < dim * V.n_owned_nodes(); ++i)
+      if (area.local_element(i) > 0.)
+        traction.local_element(i) =
+          (traction.local_element(i) + reaction.local_element(i)) /
+          area.local_element(i);
+      else
+        traction.local_element(i) = 0.;
+    V.interpolate(traction, dim);
   }
 
 

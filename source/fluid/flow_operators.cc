@@ -188,29 +188,23 @@ namespace Thalweg
                              gauss,
                              update_values | update_gradients |
                                update_normal_vectors | update_JxW_values);
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      for (unsigned int f = 0; f < graph.n_faces; ++f)
-        {
-          const auto &behind = graph.cell(c).faces[f];
-          if (behind.behind != CellGraph<dim>::Behind::boundary)
-            continue;
-          const BoundaryKind kind =
-            boundary.conditions().at(behind.boundary_id).kind;
-          if (kind != BoundaryKind::velocity && kind != BoundaryKind::no_slip)
-            continue;
-          values.reinit(Compat::on_dof_handler(graph.iterator(c),
-                                               velocity_space.scalar()),
-                        f);
-          BoundaryFace face{c, std::vector<double>(n * n, 0.)};
-          for (unsigned int q = 0; q < gauss.size(); ++q)
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                face.matrix[row[i] * n + row[j]] +=
-                  values.shape_value(i, q) *
-                  (values.shape_grad(j, q) * values.normal_vector(q)) *
-                  values.JxW(q);
-          faces.push_back(std::move(face));
-        }
+    for_each_sticking_face(
+      graph,
+      boundary.conditions(),
+      [&](const unsigned int c, const unsigned int f) {
+        values.reinit(Compat::on_dof_handler(graph.iterator(c),
+                                             velocity_space.scalar()),
+                      f);
+        BoundaryFace face{c, std::vector<double>(n * n, 0.)};
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              face.matrix[row[i] * n + row[j]] +=
+                values.shape_value(i, q) *
+                (values.shape_grad(j, q) * values.normal_vector(q)) *
+                values.JxW(q);
+        faces.push_back(std::move(face));
+      });
   }
 
 

@@ -2,7 +2,11 @@
 #include <thalweg/fields/owned_values.h>
 #include <thalweg/fluid/single_fluid_flow.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Thalweg
 {
@@ -69,6 +73,7 @@ namespace Thalweg
            begin_velocity,
            physical_pressure,
            reaction,
+           traction,
            fluid.density,
            fluid.viscosity,
            0.}
@@ -87,10 +92,14 @@ namespace Thalweg
                            &end_gradient,
                            &pressure_gradient,
                            &force,
-                           &reaction})
+                           &reaction,
+                           &traction})
       velocity_space->initialize(*vector, dim);
     make_explicit_space();
-    for (Vector *vector : {&old_begin_pressure, &begin_pressure, &end_pressure})
+    for (Vector *vector : {&older_begin_pressure,
+                           &old_begin_pressure,
+                           &begin_pressure,
+                           &end_pressure})
       explicit_space->initialize(*vector, 1);
     for (Vector *vector : {&old_pressure,
                            &pressure,
@@ -226,6 +235,7 @@ namespace Thalweg
   SingleFluidFlow<dim>::solve(const Vector &velocity_star)
   {
     find_start(velocity_star);
+    const Vector predicted = end_velocity;
     copy_owned(force, body_force);
     force.add(1., viscous);
     velocity_space->interpolate(force, dim);
@@ -236,6 +246,7 @@ namespace Thalweg
                 end_velocity,
                 new_pressure);
     has_solution = true;
+    find_prediction_error(predicted);
     if (is_consistent())
       return;
     // What a repetition of the step, or the next one, knows.
@@ -252,6 +263,29 @@ namespace Thalweg
 
   template <int dim>
   void
+  SingleFluidFlow<dim>::find_prediction_error(const Vector &predicted)
+  {
+    double largest[2] = {0., 0.};
+    for (unsigned int n = 0; n < velocity_space->n_owned_nodes(); ++n)
+      {
+        double squares[2] = {0., 0.};
+        for (unsigned int i = dim * n; i < dim * (n + 1); ++i)
+          {
+            const double found = end_velocity.local_element(i);
+            squares[0] += std::pow(found - predicted.local_element(i), 2);
+            squares[1] += std::pow(found, 2);
+          }
+        for (unsigned int k = 0; k < 2; ++k)
+          largest[k] = std::max(largest[k], std::sqrt(squares[k]));
+      }
+    dealii::Utilities::MPI::max(largest, context.communicator, largest);
+    error_of_prediction = largest[1] > 0. ? largest[0] / largest[1] : 0.;
+  }
+
+
+
+  template <int dim>
+  void
   SingleFluidFlow<dim>::end_step()
   {
     boundary_reaction->find(begin_velocity,
@@ -261,14 +295,21 @@ namespace Thalweg
                             dt,
                             fluid.density,
                             reaction);
+    boundary_reaction->find_traction(reaction,
+                                     new_pressure,
+                                     fluid.density,
+                                     traction);
     copy_owned(old_velocity, begin_velocity);
     copy_owned(begin_velocity, end_velocity);
     velocity_space->interpolate(begin_velocity, dim);
     copy_owned(old_pressure, new_pressure);
-    copy_owned(physical_pressure, new_pressure);
+    // What splitting leaves is part of the forces, but not as exact a
+    // pressure as that of the velocity.
+    copy_owned(physical_pressure, is_consistent() ? pressure : new_pressure);
     physical_pressure *= fluid.density;
     pressure_space->interpolate(physical_pressure, 1);
     view.pressure_time = time + .5 * dt;
+    older_dt           = old_dt;
     old_dt             = dt;
   }
 

@@ -86,14 +86,10 @@ namespace Thalweg
   {
     if (is_consistent())
       {
+        copy_owned(older_begin_pressure, old_begin_pressure);
         copy_owned(old_begin_pressure, begin_pressure);
         find_pressure(begin_velocity, viscous, time, begin_pressure);
-        copy_owned(end_pressure, begin_pressure);
-        if (old_dt > 0. && second_order)
-          extrapolate_owned(begin_pressure,
-                            old_begin_pressure,
-                            dt / old_dt,
-                            end_pressure);
+        extrapolate_pressure();
       }
     else
       {
@@ -101,6 +97,25 @@ namespace Thalweg
         if (old_dt > 0. && second_order)
           pressure.add(.5 * (dt + old_dt), pressure_rate);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::extrapolate_pressure()
+  {
+    copy_owned(end_pressure, begin_pressure);
+    if (old_dt == 0. || !second_order)
+      return;
+    // The slope over the last two steps does not see what alternates from
+    // step to step; that over the last one would return it three times as
+    // large.
+    const Vector &earlier =
+      older_dt > 0. ? older_begin_pressure : old_begin_pressure;
+    const double ratio = dt / (old_dt + older_dt);
+    end_pressure.add(ratio, begin_pressure);
+    end_pressure.add(-ratio, earlier);
   }
 
 
@@ -156,6 +171,7 @@ namespace Thalweg
   {
     state.values().value("time", time);
     state.values().value("last step", old_dt);
+    state.values().value("step before the last", older_dt);
     state.values().value("pressure time", view.pressure_time);
     const LagrangeSpace<dim> &V = *velocity_space;
     state.field("velocity", V, begin_velocity, dim);
@@ -167,6 +183,11 @@ namespace Thalweg
     state.field("pressure gradient at begin", V, begin_gradient, dim);
     state.field("pressure gradient at end", V, end_gradient, dim);
     state.field("reaction", V, reaction, dim);
+    state.field("traction", V, traction, dim);
+    state.field("old explicit pressure",
+                *explicit_space,
+                old_begin_pressure,
+                1);
     state.field("explicit pressure at begin",
                 *explicit_space,
                 begin_pressure,
@@ -193,6 +214,10 @@ namespace Thalweg
   SingleFluidFlow<2>::guess_pressures();
   template void
   SingleFluidFlow<3>::guess_pressures();
+  template void
+  SingleFluidFlow<2>::extrapolate_pressure();
+  template void
+  SingleFluidFlow<3>::extrapolate_pressure();
   template void
   SingleFluidFlow<2>::find_pressure_gradients();
   template void

@@ -19,6 +19,20 @@ namespace Thalweg
                 "costs as much as a step. Steps of second order whose `Viscous "
                 "theta` is below 1 have at least one.",
                 dealii::Patterns::Integer(0));
+    section.add("Corrector tolerance",
+                corrector_tolerance,
+                "",
+                "A step is made again as long as the velocity found for its "
+                "end differs at some node from the one it was made with by "
+                "more than this part of the largest velocity, but no more "
+                "often than `Maximal corrector iterations` says.",
+                dealii::Patterns::Double(0));
+    section.add("Maximal corrector iterations",
+                maximal_corrections,
+                "",
+                "How often a step is made again for the sake of `Corrector "
+                "tolerance`. 0: never.",
+                dealii::Patterns::Integer(0));
     section.add("First corrections",
                 first_corrections,
                 "",
@@ -150,8 +164,8 @@ namespace Thalweg
 
 
   template <int dim>
-  unsigned int
-  SingleFluidPfem2<dim>::n_passes() const
+  bool
+  SingleFluidPfem2<dim>::is_another_needed(const unsigned int n_passes) const
   {
     // Viscosity below theta = 1 turns rough fields over from step to step;
     // extrapolation triples them with the wrong sign.
@@ -161,7 +175,10 @@ namespace Thalweg
       std::max(corrector_iterations, turns_over ? 1u : 0u);
     if (flow->is_at_start())
       corrections = std::max(corrections, first_corrections);
-    return 1 + corrections;
+    if (n_passes <= corrections)
+      return true;
+    return n_passes <= maximal_corrections &&
+           flow->prediction_error() > corrector_tolerance;
   }
 
 
@@ -197,12 +214,11 @@ namespace Thalweg
     for (const char *column : {"pressure iterations", "viscous iterations"})
       parts->context.statistics.set(column, 0);
     flow->start_step(time, dt);
-    const unsigned int n = n_passes();
-    if (n > 1)
-      particles_at_start.save(parts->population);
-    for (unsigned int pass = 0; pass < n; ++pass)
+    particles_at_start.save(parts->population);
+    unsigned int n_passes = 0;
+    for (; is_another_needed(n_passes); ++n_passes)
       {
-        if (pass > 0)
+        if (n_passes > 0)
           particles_at_start.restore(parts->population);
         {
           dealii::TimerOutput::Scope scope(timers, "accelerations");
@@ -223,6 +239,8 @@ namespace Thalweg
         }
         flow->solve(velocity_star); // (81b) to (81d)
       }
+    parts->context.statistics.set("passes", n_passes);
+    parts->context.statistics.set("prediction error", flow->prediction_error());
     {
       dealii::TimerOutput::Scope scope(timers, "increment");
       add_increment(parts->population,

@@ -20,6 +20,7 @@ namespace Thalweg
             solution.velocity,
             solution.pressure,
             no_reaction,
+            no_reaction,
             solution.fluids[0].density,
             solution.fluids[0].viscosity,
             solution.time};

@@ -23,6 +23,8 @@ namespace Thalweg
       find_sources(*pressure_space, flow.pressure_dofs, flow.pressure);
     velocity_space->initialize(mean_velocity, dim);
     pressure_space->initialize(mean_pressure, 1);
+    if (flow.traction.size() > 0)
+      velocity_space->initialize(mean_traction, dim);
     if (with_stresses)
       for (auto &products : stress_times_time)
         velocity_space->initialize(products, dim);
@@ -92,6 +94,11 @@ namespace Thalweg
     average(pressure_sources, flow.pressure, mean_pressure);
     velocity_space->interpolate(mean_velocity, dim);
     pressure_space->interpolate(mean_pressure, 1);
+    if (mean_traction.size() > 0)
+      {
+        average(velocity_sources, flow.traction, mean_traction);
+        velocity_space->interpolate(mean_traction, dim);
+      }
     if (with_stresses)
       for (auto &products : stress_times_time)
         velocity_space->interpolate(products, dim);
@@ -110,6 +117,7 @@ namespace Thalweg
             mean_velocity,
             mean_pressure,
             no_reaction,
+            mean_traction,
             present.density,
             present.viscosity,
             present.pressure_time};
@@ -136,6 +144,8 @@ namespace Thalweg
     state.values().value("averaged time", total_time);
     state.field("mean velocity", *velocity_space, mean_velocity, dim);
     state.field("mean pressure", *pressure_space, mean_pressure, 1);
+    if (mean_traction.size() > 0)
+      state.field("mean traction", *velocity_space, mean_traction, dim);
     if (with_stresses)
       for (unsigned int d = 0; d < dim; ++d)
         state.field(std::string("stress ") + "xyz"[d],

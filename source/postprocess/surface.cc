@@ -34,7 +34,8 @@ namespace Thalweg
         , velocity(flow.mapping,
                    flow.velocity_dofs.get_fe(),
                    quadrature,
-                   dealii::update_gradients | dealii::update_JxW_values |
+                   dealii::update_values | dealii::update_gradients |
+                     dealii::update_JxW_values |
                      dealii::update_quadrature_points |
                      dealii::update_normal_vectors)
         , pressure(flow.mapping,
@@ -43,6 +44,7 @@ namespace Thalweg
                    dealii::update_values)
         , gradients(quadrature.size())
         , pressures(quadrature.size())
+        , tractions(quadrature.size())
         , points(quadrature.size())
       {}
 
@@ -54,18 +56,24 @@ namespace Thalweg
       {
         velocity.reinit(cell, f);
         pressure.reinit(Compat::on_dof_handler(cell, flow.pressure_dofs), f);
-        velocity[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(
-          flow.velocity, gradients);
+        const dealii::FEValuesExtractors::Vector extractor(0);
+        velocity[extractor].get_function_gradients(flow.velocity, gradients);
+        const bool has_traction = flow.traction.size() > 0;
+        if (has_traction)
+          velocity[extractor].get_function_values(flow.traction, tractions);
         pressure.get_function_values(flow.pressure, pressures);
         for (unsigned int q = 0; q < points.size(); ++q)
           {
             const dealii::Tensor<1, dim> normal = velocity.normal_vector(q);
-            points[q]                           = {velocity.quadrature_point(q),
-                                                   normal,
-                                                   velocity.JxW(q),
-                                                   pressures[q],
-                                                   -flow.viscosity *
-                                                     ((gradients[q] + transpose(gradients[q])) * normal)};
+            const dealii::Tensor<1, dim> viscous =
+              -flow.viscosity *
+              ((gradients[q] + transpose(gradients[q])) * normal);
+            points[q] = {velocity.quadrature_point(q),
+                         normal,
+                         velocity.JxW(q),
+                         pressures[q],
+                         viscous,
+                         has_traction ? tractions[q] : viscous};
           }
         return points;
       }
@@ -77,6 +85,7 @@ namespace Thalweg
       dealii::FEFaceValues<dim>           pressure;
       std::vector<dealii::Tensor<2, dim>> gradients;
       std::vector<double>                 pressures;
+      std::vector<dealii::Tensor<1, dim>> tractions;
       std::vector<SurfacePoint<dim>>      points;
     };
 

@@ -23,7 +23,7 @@ namespace Thalweg
     make_sample(const SurfacePoint<dim> &point)
     {
       const dealii::Tensor<1, dim> shear =
-        point.viscous - (point.viscous * point.normal) * point.normal;
+        point.traction - (point.traction * point.normal) * point.normal;
       SurfaceSample<dim> sample{};
       sample.position = plain<dim>(point.position);
       sample.normal   = plain<dim>(point.normal);

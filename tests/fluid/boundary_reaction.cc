@@ -132,6 +132,70 @@ TYPED_TEST(BoundaryReactionMpi, PoiseuillesFlowDragsTheWalls)
 
 
 
+namespace
+{
+  /// The largest error of the traction along the ground, but for its ends,
+  /// in a steady flow u = cos(2 y + 0.3) beneath a pressure that is linear.
+  template <int dim>
+  double
+  error_at_ground(const unsigned int n, const unsigned int degree)
+  {
+    const double         nu = .3;
+    const FlowScene<dim> scene(hanging_box<dim>(n) +
+                                 section("Boundary conditions",
+                                         {"Otherwise = no slip"}),
+                               degree,
+                               1);
+    const Vector         u = scene.flow_velocity([](const auto &p) {
+      dealii::Tensor<1, dim> v;
+      v[0] = std::cos(2. * p[1] + .3);
+      return v;
+    });
+    const Vector         p =
+      scene.flow_pressure([](const auto &x) { return 2. + 3. * x[0] - x[1]; });
+    const Vector          force = scene.flow_velocity([&](const auto &x) {
+      dealii::Tensor<1, dim> b;
+      b[0] = 3. + 4. * nu * std::cos(2. * x[1] + .3);
+      b[1] = -1.;
+      return b;
+    });
+    BoundaryReaction<dim> of_fluid(scene.operators, scene.flow_boundary, nu);
+    Vector                F = scene.empty_velocity();
+    Vector                t = scene.empty_velocity();
+    of_fluid.find(u, u, p, force, 1., density, F);
+    of_fluid.find_traction(F, p, density, t);
+    double error = 0.;
+    scene.for_each_free_node(
+      scene.V, [&](const unsigned int node, const auto &x) {
+        bool inside = x[1] < 1e-9;
+        for (unsigned int d = 0; d < dim; ++d)
+          inside = inside && (d == 1 || std::abs(x[d] - .5) < .3);
+        if (inside)
+          error = std::max(error,
+                           std::abs(scene.at(t, node)[0] +
+                                    2. * density * nu * std::sin(.3)));
+      });
+    return max_of_all(error);
+  }
+} // namespace
+
+
+
+TYPED_TEST(BoundaryReactionMpi, TractionIsOfSecondOrder)
+{
+  constexpr int dim = TypeParam::value;
+  for (const unsigned int degree : {1u, 2u})
+    {
+      const double coarse = error_at_ground<dim>(4, degree);
+      const double fine   = error_at_ground<dim>(8, degree);
+      // A quarter of what the stress in the middle of the first cell misses.
+      EXPECT_LT(coarse, .25 * density * .3 * 4. * std::cos(.3) * .25 / 2.);
+      EXPECT_GT(std::log2(coarse / fine), 1.8);
+    }
+}
+
+
+
 TYPED_TEST(BoundaryReactionMpi, AccelerationAndConvectionNeedForces)
 {
   // All nodes of a single cell of degree 1 are at the boundary: their sum is

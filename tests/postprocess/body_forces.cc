@@ -250,6 +250,7 @@ TEST(BodyForcesMpi, ResidualColumnsAreThereBeforeThereIsAReaction)
                                       f.velocity,
                                       f.pressure,
                                       none,
+                                      none,
                                       1.,
                                       1.,
                                       0.};

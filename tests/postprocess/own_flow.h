@@ -41,6 +41,7 @@ public:
              velocity,
              pressure,
              reaction,
+             traction,
              density,
              viscosity,
              0.}
@@ -61,6 +62,14 @@ public:
   set_velocity(const std::function<Tensor(const Point &)> &function)
   {
     interpolate(velocity_dofs, VelocityFunction(function), velocity);
+  }
+
+  /// Without it there is no traction.
+  void
+  set_traction(const std::function<Tensor(const Point &)> &function)
+  {
+    initialize(velocity_dofs, traction);
+    interpolate(velocity_dofs, VelocityFunction(function), traction);
   }
 
   /// Sets the reaction to minus the integral of div(sigma . phi_i), which is
@@ -138,7 +147,7 @@ private:
   dealii::FESystem<dim>   fe_velocity;
   dealii::FE_Q<dim>       fe_pressure;
   dealii::DoFHandler<dim> velocity_dofs, pressure_dofs;
-  Thalweg::Vector         velocity, pressure, reaction;
+  Thalweg::Vector         velocity, pressure, reaction, traction;
 
   static dealii::IndexSet
   relevant(const dealii::DoFHandler<dim> &dofs)

@@ -118,6 +118,41 @@ TEST(SurfaceCoefficientsMpi, FindTheReattachment)
 }
 
 
+TEST(SurfaceCoefficientsMpi, TrustTheTractionMoreThanGradients)
+{
+  State<2>   state(box);
+  OwnFlow<2> flow(
+    state.mesh,
+    1,
+    [](const auto &p) {
+      return dealii::Tensor<1, 2>({7. * p[1], 0.});
+    },
+    [](const auto &) { return 0.; });
+  flow.set_traction([](const auto &p) {
+    return dealii::Tensor<1, 2>({p[0] - .7, 5.});
+  });
+  state.flow = &flow.fields;
+  const auto tool =
+    state.prepare("surface coefficients", {"Boundaries = bottom"});
+  for (const double time : {1., 3.})
+    {
+      auto solution      = state.view();
+      solution.time      = time;
+      solution.time_step = time == 1. ? 1. : 2.;
+      solution.last_step = time == 3.;
+      flow.set_traction([&](const auto &p) {
+        return dealii::Tensor<1, 2>({time == 1. ? 2. : p[0] - .7, 5.});
+      });
+      tool->execute(state.context, solution);
+    }
+  for (const auto &row : state.read_all("surface_coefficients.csv"))
+    {
+      EXPECT_NEAR(row.at(10), row.at(4) - .7, 1e-11);
+      EXPECT_NEAR(row.at(14), (2. + 2. * (row.at(4) - .7)) / 3., 1e-11);
+    }
+}
+
+
 TEST(SurfaceCoefficientsMpi, AverageOverUnequalSteps)
 {
   State<2>   state(box);

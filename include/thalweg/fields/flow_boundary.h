@@ -101,6 +101,26 @@ namespace Thalweg
     std::vector<dealii::Tensor<1, dim>> normals;
     std::vector<OpenNode>               open;
   };
+
+  /// Calls @p visit(cell, face_no) for each face of an owned cell at a
+  /// boundary where the velocity is given or zero.
+  template <int dim, typename Visitor>
+  void
+  for_each_sticking_face(const CellGraph<dim>          &graph,
+                         const BoundaryConditions<dim> &conditions,
+                         const Visitor                 &visit)
+  {
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      for (unsigned int f = 0; f < graph.n_faces; ++f)
+        {
+          const auto &face = graph.cell(c).faces[f];
+          if (face.behind != CellGraph<dim>::Behind::boundary)
+            continue;
+          const BoundaryKind kind = conditions.at(face.boundary_id).kind;
+          if (kind == BoundaryKind::velocity || kind == BoundaryKind::no_slip)
+            visit(c, f);
+        }
+  }
 } // namespace Thalweg
 
 #endif

@@ -34,6 +34,13 @@ namespace Thalweg
      * stresses. Zero elsewhere.
      */
     const Vector &reaction;
+    /**
+     * The viscous force of the fluid per area at these nodes, in Pa: what
+     * the reaction has beyond that of the pressure, over the node's part of
+     * the boundary. One order more accurate than the stress of linear
+     * elements at the boundary, which is that in the middle of a cell.
+     */
+    const Vector &traction;
     double        density;       ///< kg/m^3
     double        viscosity;     ///< Pa s
     double        pressure_time; ///< s; the middle of the last step

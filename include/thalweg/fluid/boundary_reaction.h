@@ -43,7 +43,39 @@ namespace Thalweg
          const double  density,
          Vector       &reaction);
 
+    /**
+     * @brief The viscous force per area: what is left of the reaction
+     * without the pressure on the boundary faces where the velocity is given
+     * or zero, over the integrals of the shape functions there.
+     *
+     * At a node where two of these faces meet at an angle it is a mean of
+     * both.
+     * @param reaction of find()
+     * @param pressure over the density, ghosted
+     * @param traction out: Pa, ghosted; zero at all other nodes
+     */
+    void
+    find_traction(const Vector &reaction,
+                  const Vector &pressure,
+                  const double  density,
+                  Vector       &traction) const;
+
   private:
+    /// What a face adds: [node of velocity] int N and
+    /// [node of velocity][node of pressure] int N q n.
+    struct Face
+    {
+      unsigned int                        cell;
+      std::vector<double>                 area;
+      std::vector<dealii::Tensor<1, dim>> pressure;
+    };
+
+    void
+    collect_boundary_cells();
+
+    void
+    collect_faces();
+
     /// Adds factor (N, V . grad V) of the cells at the boundary.
     void
     add_convection(const double factor, Vector &force) const;
@@ -52,7 +84,10 @@ namespace Thalweg
     const FlowBoundary<dim>  &boundary;
     const double              nu;
     std::vector<unsigned int> boundary_cells;
-    Vector                    velocity, acceleration;
+    std::vector<Face>         faces;
+    /// int N over all of them, for each component of the nodes.
+    Vector area;
+    Vector velocity, acceleration;
   };
 } // namespace Thalweg
 

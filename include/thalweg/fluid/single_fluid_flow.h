@@ -56,6 +56,17 @@ namespace Thalweg
     void
     solve(const Vector &velocity_star);
 
+    /**
+     * @brief By how much the velocity that solve() found for the end of the
+     * step differs from the one the step was made with: the largest
+     * difference at a node over the largest velocity.
+     */
+    double
+    prediction_error() const
+    {
+      return error_of_prediction;
+    }
+
     /// Takes what was solved for as the state.
     void
     end_step();
@@ -125,6 +136,10 @@ namespace Thalweg
     void
     find_start(const Vector &velocity_star);
 
+    /// Compares what was found with what was @p predicted. Collective.
+    void
+    find_prediction_error(const Vector &predicted);
+
     /// Whether the explicit pressure follows from the velocity.
     bool
     is_consistent() const
@@ -149,6 +164,10 @@ namespace Thalweg
     /// The explicit pressures before anything of the step is known.
     void
     guess_pressures();
+
+    /// The explicit pressure at the end of the step from those before it.
+    void
+    extrapolate_pressure();
 
     /// pi (Eq. 79) at both ends of the step.
     void
@@ -176,13 +195,15 @@ namespace Thalweg
     std::unique_ptr<FlowOperators<dim>>   own_explicit_operators;
     std::unique_ptr<IncrementalStep<dim>> own_explicit_step;
 
-    double time = 0., dt = 0., old_dt = 0.;
+    /// The present step and the two before it.
+    double time = 0., dt = 0., old_dt = 0., older_dt = 0.;
     /// Whether the fields at the end of the step were solved for.
     bool   has_solution = false;
     Vector begin_velocity, end_velocity, old_velocity;
-    /// Explicit pressures at the beginning of the last step, and at both ends
-    /// of this one.
-    Vector old_begin_pressure, begin_pressure, end_pressure;
+    /// Explicit pressures at the beginnings of the two last steps, and at both
+    /// ends of this one.
+    Vector older_begin_pressure, old_begin_pressure;
+    Vector begin_pressure, end_pressure;
     /// In the middle of this step: explicit, and solved for; of the last one.
     Vector pressure, new_pressure, old_pressure;
     /// Incremental: the change of the pressure in a second.
@@ -190,8 +211,9 @@ namespace Thalweg
     Vector body_force, boundary_acceleration;
     Vector viscous, begin_viscous, end_viscous, end_smooth, start;
     Vector begin_gradient, end_gradient, pressure_gradient, force;
-    /// For those who look: Pa and N.
-    Vector          physical_pressure, reaction;
+    double error_of_prediction = 0.;
+    /// For those who look: Pa, N and Pa.
+    Vector          physical_pressure, reaction, traction;
     FlowFields<dim> view;
   };
 } // namespace Thalweg

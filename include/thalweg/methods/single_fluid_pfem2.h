@@ -66,11 +66,13 @@ namespace Thalweg
     void
     show_at_vertices();
 
-    /// How often the step is made, the first time included.
-    unsigned int
-    n_passes() const;
+    /// Whether the step must be made once more after @p n_passes times.
+    bool
+    is_another_needed(const unsigned int n_passes) const;
 
     unsigned int                    corrector_iterations = 0;
+    double                          corrector_tolerance  = .005;
+    unsigned int                    maximal_corrections  = 2;
     unsigned int                    first_corrections    = 2;
     double                          blend                = 0.;
     SingleFluidFlowParameters<dim>  flow_parameters;

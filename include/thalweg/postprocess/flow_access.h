@@ -17,7 +17,7 @@ namespace Thalweg
    * the difference.
    *
    * In the second case density and viscosity are those of the first fluid,
-   * and the reaction is an empty vector.
+   * and reaction and traction are empty vectors.
    */
   template <int dim>
   FlowFields<dim>

@@ -90,6 +90,8 @@ namespace Thalweg
     std::shared_ptr<LagrangeSpace<dim>> velocity_space, pressure_space;
     std::vector<unsigned int>           velocity_sources, pressure_sources;
     Vector                              mean_velocity, mean_pressure;
+    /// Empty where the flow has none.
+    Vector                              mean_traction;
     std::array<Vector, dim>             stress_times_time;
   };
 } // namespace Thalweg

@@ -22,6 +22,10 @@ namespace Thalweg
     /// The viscous force of the fluid per area, -mu (grad v + grad v^T) n,
     /// in Pa.
     dealii::Tensor<1, dim> viscous;
+    /// The same by the residual of the momentum equation where the method
+    /// has it and the boundary fixes the velocity, zero at other boundaries
+    /// of such a method; else that of the gradient.
+    dealii::Tensor<1, dim> traction;
   };
 
   /**

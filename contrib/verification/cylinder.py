@@ -10,7 +10,8 @@ MESHES = {"2D-1": {"Q1-Q1": (2, 3, 4), "Q2-Q2": (1, 2, 3)},
 # The mesh on which steps differ.
 COURANT_MESH = 3
 COURANT = (1., 3., 10.)
-COURANT_OF_MESH = 5.
+# On all meshes; with 3.5 the periodic flow takes a third of 8,000 steps.
+COURANT_OF_MESH = {"2D-1": 5., "2D-2": 3.5}
 
 
 def intervals(case):
@@ -66,11 +67,12 @@ CASES = {
 def study(runner, report, name, reduced):
     """Three meshes of each pair of spaces, and three Courant numbers on one."""
     case, evaluate, quantities, more = CASES[name]
-    keys = [(space, m, COURANT_OF_MESH)
+    of_mesh = COURANT_OF_MESH[name]
+    keys = [(space, m, of_mesh)
             for space, meshes in MESHES[name].items() for m in meshes]
     keys += [("Q1-Q1", COURANT_MESH, c) for c in COURANT]
     if reduced:
-        keys = [("Q1-Q1", 2, COURANT_OF_MESH)]
+        keys = [("Q1-Q1", 2, of_mesh)]
     runs = {(space, m, c): runner.start(
         case, f"{case}_{space}_{m}_{c:g}",
         {**SPACES[space], "Refinement/Global levels": m,
@@ -84,7 +86,7 @@ def study(runner, report, name, reduced):
         n_steps, _ = steps_and_courant(output)
         cells = read_rows(output / "statistics.csv")[-1]["cells"]
         rows.append([space, cells, c, n_steps, *values, output.cpu_time])
-        if m == MESHES[name][space][-1] and c == COURANT_OF_MESH:
+        if m == MESHES[name][space][-1] and c == of_mesh:
             for quantity, value in zip(quantities, values):
                 report.within(f"cylinder {name}, {space}, {cells} cells: "
                               f"{quantity}", value, *wanted[quantity])

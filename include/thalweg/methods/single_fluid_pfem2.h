@@ -71,8 +71,8 @@ namespace Thalweg
     is_another_needed(const unsigned int n_passes) const;
 
     unsigned int                    corrector_iterations = 0;
-    double                          corrector_tolerance  = .005;
-    unsigned int                    maximal_corrections  = 2;
+    double                          corrector_tolerance  = .001;
+    unsigned int                    maximal_corrections  = 1;
     unsigned int                    first_corrections    = 2;
     double                          blend                = 0.;
     SingleFluidFlowParameters<dim>  flow_parameters;

@@ -71,7 +71,7 @@ namespace Thalweg
     is_another_needed(const unsigned int n_passes) const;
 
     unsigned int                    corrector_iterations = 0;
-    double                          corrector_tolerance  = .001;
+    double                          corrector_tolerance  = .002;
     unsigned int                    maximal_corrections  = 1;
     unsigned int                    first_corrections    = 2;
     double                          blend                = 0.;

@@ -156,6 +156,46 @@ TEST(SingleFluid, ErrorsOfVorticesFallWithTheSquareOfTheStep)
 
 
 
+TEST(SingleFluid, StepsAreMadeAgainWhereThePredictionFailed)
+{
+  const auto run = [](const std::string &setting) {
+    return RunCase<2>(
+      vortices(16, .2, .8) +
+      method({"Velocity degree = 2", "Pressure degree = 2", setting}));
+  };
+  const RunCase<2> corrected = run("Corrector tolerance = 1e-9");
+  const RunCase<2> once      = run("Maximal corrector iterations = 0");
+  EXPECT_EQ(corrected.last("passes"), 2.);
+  EXPECT_EQ(once.last("passes"), 1.);
+  EXPECT_GT(once.last("prediction error"), 1e-3);
+  EXPECT_LT(vortex_error(corrected, .8), .5 * vortex_error(once, .8));
+}
+
+
+
+TEST(SingleFluid, ImpulsiveStartsOnCoarseMeshesAreSurvived)
+{
+  // Steps that are made once reach velocities of 1.1 m/s here.
+  const RunCase<2> run(
+    section("Geometry", {"Model = cylinder in channel"}) +
+    section("Refinement", {"Global levels = 1"}) +
+    section("Time",
+            {"Courant number = 5", "First step = 0.001", "End time = 0.6"}) +
+    section("Particles",
+            {"Particles per direction = 4",
+             "Minimum per cell = 10",
+             "Maximum per cell = 32"}) +
+    one_fluid(1., .001) +
+    method({"Velocity degree = 2", "Pressure degree = 2"}) +
+    section("Boundary conditions",
+            {"No slip = bottom, top, cylinder",
+             "Velocity = left: 4*0.3*y*(0.41 - y)/0.41^2; 0",
+             "Open = right: 0"}));
+  EXPECT_LT(run.last("max velocity 1 [m/s]"), .6);
+}
+
+
+
 TEST(SingleFluid, UniformFlowStaysUniform)
 {
   // Courant number 10.

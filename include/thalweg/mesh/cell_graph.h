@@ -152,7 +152,7 @@ namespace Thalweg
       return offsets;
     }
 
-    /// Whether all cells are axis-parallel.
+    /// Whether all cells that this rank knows are axis-parallel.
     bool
     all_axis_parallel() const
     {

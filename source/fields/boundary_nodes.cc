@@ -37,8 +37,7 @@ namespace Thalweg
     {
       for (unsigned int c = 0; c < graph.n_cells(); ++c)
         for (const unsigned int f : graph.iterator(c)->face_indices())
-          if (graph.iterator(c)->at_boundary(f) &&
-              !graph.iterator(c)->has_periodic_neighbor(f))
+          if (graph.at_boundary(c, f))
             visit(c, f, graph.iterator(c)->face(f)->boundary_id());
     }
   } // namespace

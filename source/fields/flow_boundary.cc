@@ -29,8 +29,7 @@ namespace Thalweg
       const auto               &graph = space.mesh().graph();
       for (unsigned int c = 0; c < graph.n_cells(); ++c)
         for (const unsigned int f : graph.iterator(c)->face_indices())
-          if (graph.iterator(c)->at_boundary(f) &&
-              !graph.iterator(c)->has_periodic_neighbor(f))
+          if (graph.at_boundary(c, f))
             {
               values.reinit(Compat::on_dof_handler(graph.iterator(c),
                                                    space.scalar()),

@@ -97,12 +97,15 @@ namespace Thalweg
         matrix->compress(dealii::VectorOperation::add);
       }
     // Incomplete factors break down where degree and stretched cells make
-    // for large positive entries.
+    // for large positive entries, on whichever rank.
     using Smoother = AmgPreconditioner::Smoother;
+    const int is_harmless =
+      space.degree() == 1 && space.mesh().graph().all_axis_parallel();
     amg.build(*matrix,
-              space.degree() == 1 && space.mesh().graph().all_axis_parallel() ?
-                Smoother::incomplete_cholesky :
-                Smoother::chebyshev);
+              dealii::Utilities::MPI::min(is_harmless,
+                                          dofs.get_communicator()) == 1
+                ? Smoother::incomplete_cholesky
+                : Smoother::chebyshev);
   }
 
 

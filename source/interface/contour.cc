@@ -36,11 +36,11 @@ namespace Thalweg
     /// Which faces of a cell end the domain, bit by bit.
     template <int dim>
     unsigned int
-    boundary_faces(const typename CellGraph<dim>::CellIterator &cell)
+    boundary_faces(const CellGraph<dim> &graph, const unsigned int cell)
     {
       unsigned int faces = 0;
-      for (const unsigned int f : cell->face_indices())
-        if (cell->at_boundary(f) && !cell->has_periodic_neighbor(f))
+      for (unsigned int f = 0; f < graph.n_faces; ++f)
+        if (graph.at_boundary(cell, f))
           faces |= 1u << f;
       return faces;
     }
@@ -184,7 +184,7 @@ namespace Thalweg
           continue;
         patch.cell           = graph.cell(c).global_index;
         patch.vertices       = graph.cell(c).vertices;
-        patch.boundary_faces = boundary_faces<dim>(graph.iterator(c));
+        patch.boundary_faces = boundary_faces(graph, c);
         const unsigned int p = add(patch);
         for (const unsigned int node : space.nodes(c))
           if (node < n_owned)

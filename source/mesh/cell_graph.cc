@@ -1,6 +1,8 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/mesh/cell_graph.h>
+#include <thalweg/mesh/mesh_partition.h>
 
+#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
@@ -32,7 +34,8 @@ namespace Thalweg
       return true;
     }
 
-    /// Appends the active cells inside @p cell along p4est's curve.
+    /// Appends the active cells inside @p cell in the order of its children,
+    /// which is that of p4est's curve.
     template <int dim>
     void
     append_active(
@@ -48,17 +51,24 @@ namespace Thalweg
 
 
 
-    /// The active cells along p4est's curve.
+    /// The active cells along p4est's curve. Where there is no p4est the
+    /// coarse cells stand in its order.
     template <int dim>
     std::vector<typename CellGraph<dim>::CellIterator>
-    along_curve(const dealii::parallel::distributed::Triangulation<dim> &tria)
+    in_order(const dealii::parallel::DistributedTriangulationBase<dim> &tria)
     {
+      using Forest = dealii::parallel::distributed::Triangulation<dim>;
       std::vector<typename CellGraph<dim>::CellIterator> cells;
       cells.reserve(tria.n_active_cells());
-      for (const auto coarse : tria.get_p4est_tree_to_coarse_cell_permutation())
-        append_active<dim>(
-          typename dealii::Triangulation<dim>::cell_iterator(&tria, 0, coarse),
-          cells);
+      if (const auto *forest = dynamic_cast<const Forest *>(&tria))
+        for (const auto coarse :
+             forest->get_p4est_tree_to_coarse_cell_permutation())
+          append_active<dim>(typename dealii::Triangulation<dim>::cell_iterator(
+                               &tria, 0, coarse),
+                             cells);
+      else
+        for (const auto &coarse : tria.cell_iterators_on_level(0))
+          append_active<dim>(coarse, cells);
       return cells;
     }
   } // namespace
@@ -68,7 +78,7 @@ namespace Thalweg
   template <int dim>
   void
   CellGraph<dim>::build(
-    const dealii::parallel::distributed::Triangulation<dim> &tria)
+    const dealii::parallel::DistributedTriangulationBase<dim> &tria)
   {
     cells.clear();
     iterators.clear();
@@ -79,7 +89,7 @@ namespace Thalweg
     axis_parallel = true;
     shortest_edge = std::numeric_limits<double>::max();
 
-    const auto all = along_curve(tria);
+    const auto all = in_order(tria);
     for (const auto &cell : all)
       if (cell->is_locally_owned())
         add_cell(cell);
@@ -125,10 +135,10 @@ namespace Thalweg
   template <int dim>
   void
   CellGraph<dim>::number_globally(
-    const dealii::parallel::distributed::Triangulation<dim> &tria)
+    const dealii::parallel::DistributedTriangulationBase<dim> &tria)
   {
     using Number = dealii::types::global_cell_index;
-    // Ranks own consecutive parts of the curve.
+    // Ranks own consecutive numbers.
     first_global_index =
       tria.global_active_cell_index_partitioner().lock()->local_range().first;
     for (unsigned int c = 0; c < n_owned; ++c)
@@ -139,6 +149,19 @@ namespace Thalweg
       [&](const auto &cell, const Number number) {
         cells[index(cell)].global_index = number;
       });
+  }
+
+
+
+  template <int dim>
+  bool
+  CellGraph<dim>::at_boundary(const unsigned int cell,
+                              const unsigned int face_no) const
+  {
+    const auto &iterator = iterators[cell];
+    return iterator->at_boundary(face_no) &&
+           !iterator->has_periodic_neighbor(face_no) &&
+           iterator->face(face_no)->boundary_id() != unknown_neighbor;
   }
 
 

@@ -126,7 +126,8 @@ namespace Thalweg
       n_new_particles += parts.particles().n_global_particles() - n_particles;
     if (has_changed || is_ready)
       return has_changed;
-    if (parameters.balance.is_due(view(), step))
+    if (parameters.mesh.partition->can_change() &&
+        parameters.balance.is_due(view(), step))
       {
         repartition();
         ++n_repartitionings;
@@ -140,7 +141,7 @@ namespace Thalweg
   void
   MeshAdaptation<dim>::repartition()
   {
-    carry([&]() { mesh.triangulation().repartition(); });
+    carry([&]() { mesh.repartition(); });
   }
 
 

@@ -14,6 +14,7 @@ namespace Thalweg
                                                   "Geometry/",
                                                   "Fluids/",
                                                   "Method/",
+                                                  "Partition/",
                                                   "Particles/Carry",
                                                   "Particles/Distance band"};
 

@@ -146,7 +146,7 @@ namespace Thalweg
   Simulation<dim>::load_mesh(const CheckpointOutline &checkpoint)
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
-    mesh.create_coarse(parameters.mesh);
+    mesh.create_to_load(parameters.mesh);
     check(checkpoint);
     mesh.triangulation().load(checkpoint.directory + mesh_file);
     mesh.update();

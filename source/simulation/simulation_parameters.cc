@@ -124,6 +124,8 @@ namespace Thalweg
     collect([this]() { method->check(); });
     collect([this]() { population.check(); });
     collect([this]() { balance.check(); });
+    collect([this]() { mesh.partition->check(); });
+    collect([this]() { check_change(); });
     collect([this]() {
       parse_expression<dim>(mesh.local_refinement,
                             1,
@@ -148,6 +150,22 @@ namespace Thalweg
     collect([&]() { adaptive.check(outline); });
     for (const Postprocessor<dim> *postprocessor : postprocessors.chosen())
       collect([&]() { postprocessor->check(outline); });
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParameters<dim>::check_change() const
+  {
+    AssertThrow(mesh.partition->can_change() || !adaptive.is_active(),
+                dealii::ExcMessage(
+                  "'Refinement/Adaptive/Criteria' is not empty, but meshes "
+                  "with 'Partition/Model = " +
+                  mesh.partition.model_name() +
+                  "' do not change during the run. Use 'Partition/Model = "
+                  "p4est', or refine beforehand by 'Refinement/Global levels' "
+                  "and 'Local levels'."));
   }
 
 

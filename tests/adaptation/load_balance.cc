@@ -179,7 +179,7 @@ TYPED_TEST(LoadBalanceMpi, DistributesParticlesEvenly)
                                       return own.balance.weight(cell, fate);
                                     });
   world.population->handler().clear();
-  world.mesh.triangulation().repartition();
+  world.mesh.repartition();
   connection.disconnect();
   world.mesh.update();
   set();

@@ -1,3 +1,4 @@
+#include <thalweg/mesh/geometries/division.h>
 #include <thalweg/mesh/geometries/tools.h>
 #include <thalweg/mesh/geometry.h>
 
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -261,4 +263,79 @@ TEST(File, ExplainsWhatIsWrong)
     Made<2>("file", "File name = " + good.path + "\nBoundary names = inlet:9")
       .error(),
     "It has: 0, 7, 8"));
+}
+
+
+TEST(File, DividesTriangles)
+{
+  std::string text =
+    gmsh_file("5 2 2 3 1 1 2 5\n6 2 2 4 1 1 5 4\n7 3 2 5 1 2 3 6 5\n");
+  text.replace(text.find("Elements\n6"), 10, "Elements\n7");
+  const TemporaryFile file("g.msh", text);
+  Made<2>             mesh("file",
+               "File name = " + file.path +
+                 "\nDivide cells = true\nBoundary names = inlet:7, wall:8");
+  EXPECT_EQ(mesh.error(), "");
+  EXPECT_EQ(mesh.mesh.n_active_cells(), 10u);
+  EXPECT_NEAR(dealii::GridTools::volume(mesh.mesh), 2., 1e-14);
+  EXPECT_NEAR(mesh.boundary_measure("inlet"), 1., 1e-14);
+  EXPECT_NEAR(mesh.boundary_measure("wall"), 3., 1e-14);
+  std::map<dealii::types::material_id, double> areas;
+  for (const auto &cell : mesh.mesh.active_cell_iterators())
+    areas[cell->material_id()] += cell->measure();
+  EXPECT_NEAR(areas[3], .5, 1e-14);
+  EXPECT_NEAR(areas[4], .5, 1e-14);
+  EXPECT_NEAR(areas[5], 1., 1e-14);
+}
+
+
+TEST(File, DividesTetrahedra)
+{
+  const TemporaryFile file(
+    "h.msh",
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n"
+    "3 0 1 0\n4 0 0 1\n5 1 1 1\n$EndNodes\n$Elements\n3\n"
+    "1 2 2 7 1 1 2 3\n2 4 2 1 1 1 2 3 4\n3 4 2 2 1 2 3 4 5\n$EndElements\n");
+  Made<3> mesh("file", "File name = " + file.path + "\nDivide cells = true");
+  EXPECT_EQ(mesh.error(), "");
+  EXPECT_EQ(mesh.mesh.n_active_cells(), 8u);
+  EXPECT_NEAR(dealii::GridTools::volume(mesh.mesh), .5, 1e-12);
+  EXPECT_NEAR(mesh.boundary_measure("7"), .5, 1e-12);
+}
+
+
+namespace
+{
+  /// A mesh of one cell, which deal.II 9.4 cannot read from a file.
+  void
+  make_cell(dealii::Triangulation<3>            &mesh,
+            const std::vector<dealii::Point<3>> &vertices)
+  {
+    dealii::CellData<3> cell(vertices.size());
+    std::iota(cell.vertices.begin(), cell.vertices.end(), 0u);
+    mesh.create_triangulation(vertices, {cell}, {});
+  }
+} // namespace
+
+
+TEST(Division, DividesWedgesAndRefusesPyramids)
+{
+  dealii::Triangulation<3> wedge, pyramid, cubes;
+  make_cell(wedge,
+            {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+  Geometries::divide_into_cubes(wedge, cubes, "A wedge");
+  EXPECT_EQ(cubes.n_active_cells(), 6u);
+  EXPECT_NEAR(dealii::GridTools::volume(cubes), .5, 1e-12);
+
+  make_cell(pyramid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {.5, .5, 1}});
+  std::string message;
+  try
+    {
+      Geometries::divide_into_cubes(pyramid, cubes, "A pyramid");
+    }
+  catch (const std::exception &exception)
+    {
+      message = Geometries::reason(exception);
+    }
+  EXPECT_TRUE(contains(message, "has pyramids")) << message;
 }

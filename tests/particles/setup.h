@@ -39,13 +39,12 @@ namespace ParticleTest
   void
   make_periodic(Thalweg::Mesh<dim> &mesh)
   {
-    using Tria = dealii::parallel::distributed::Triangulation<dim>;
-    std::vector<
-      dealii::GridTools::PeriodicFacePair<typename Tria::cell_iterator>>
+    dealii::Triangulation<dim> &tria = mesh.triangulation();
+    std::vector<dealii::GridTools::PeriodicFacePair<
+      typename dealii::Triangulation<dim>::cell_iterator>>
       pairs;
-    dealii::GridTools::collect_periodic_faces(
-      mesh.triangulation(), 0, 1, 0, pairs);
-    mesh.triangulation().add_periodicity(pairs);
+    dealii::GridTools::collect_periodic_faces(tria, 0, 1, 0, pairs);
+    tria.add_periodicity(pairs);
     mesh.update();
   }
 

@@ -84,6 +84,33 @@ TEST(RanksMpi, DamBreakOnAMeshThatAdapts3d)
 
 
 
+TEST(RanksMpi, ACylinderFarFromSomeProcesses)
+{
+  // The cells of the process at the outlet alone are axis-parallel.
+  compare_with_one_process<2>(
+    section("Geometry",
+            {"Model = cylinder in channel"},
+            section("cylinder in channel", {"Length = 6"})) +
+    section("Refinement", {"Global levels = 2"}) +
+    section("Time", {"Time step = 0.01", "Maximal number of steps = 2"}) +
+    section("Boundary conditions",
+            {"Velocity = left: 1; 0",
+             "Slip = bottom, top",
+             "No slip = cylinder",
+             "Open = right: 0"}) +
+    one_fluid(1., .001) +
+    section("Method",
+            {"Model = single fluid pfem2"},
+            section("single fluid pfem2",
+                    {"Pressure tolerance = 1e-12",
+                     "Velocity tolerance = 1e-13"},
+                    section("Projection",
+                            {},
+                            section("l2", {"Tolerance = 1e-13"})))));
+}
+
+
+
 TEST(Ranks, TwoRunsAgreeToTheLastBit)
 {
   const std::string text =

@@ -4,7 +4,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/base/types.h>
-#include <deal.II/distributed/tria.h>
+#include <deal.II/distributed/tria_base.h>
 
 #include <array>
 #include <cstdint>
@@ -19,10 +19,11 @@ namespace Thalweg
    * Particles walk through millions of cells a step; this copy of what they
    * need costs one pass after each change of the mesh and spares them the
    * triangulation. Cells are numbered with the locally owned ones first, then
-   * the ghost cells, both along p4est's space-filling curve. Unlike the order
-   * of the triangulation this one only depends on the mesh as it is, not on
-   * how it was refined and coarsened: sums over cells have the same bits
-   * before and after a restart.
+   * the ghost cells, both along p4est's space-filling curve, also where METIS
+   * has cut the mesh into parts. Unlike the order of the triangulation this
+   * one only depends on the mesh as it is, not on how it was refined and
+   * coarsened: sums over cells have the same bits before and after a
+   * restart.
    */
   template <int dim>
   class CellGraph
@@ -72,7 +73,7 @@ namespace Thalweg
       std::array<Face, n_faces> faces;
       /// The rank that owns the cell.
       dealii::types::subdomain_id owner;
-      /// The place on p4est's curve through all cells of all ranks.
+      /// The place among all cells of all ranks; each rank's are consecutive.
       dealii::types::global_cell_index global_index;
     };
 
@@ -81,7 +82,7 @@ namespace Thalweg
 
     /// Reads the triangulation anew; call it after every change of the mesh.
     void
-    build(const dealii::parallel::distributed::Triangulation<dim> &tria);
+    build(const dealii::parallel::DistributedTriangulationBase<dim> &tria);
 
     /// The number of locally owned cells, which are the first ones.
     unsigned int
@@ -131,6 +132,12 @@ namespace Thalweg
       return global_index - first_global_index;
     }
 
+    /// Whether the domain ends at a face of an owned or ghost cell; at
+    /// periodic boundaries it does not, nor where a ghost cell's neighbour is
+    /// unknown here.
+    bool
+    at_boundary(const unsigned int cell, const unsigned int face_no) const;
+
     /// The cells behind a face with a refined neighbour.
     const std::array<int, n_face_children> &
     face_children(const int index) const
@@ -145,7 +152,7 @@ namespace Thalweg
       return offsets;
     }
 
-    /// Whether all cells are axis-parallel.
+    /// Whether all cells that this rank knows are axis-parallel.
     bool
     all_axis_parallel() const
     {
@@ -166,7 +173,7 @@ namespace Thalweg
     /// Numbers the cells over all ranks. Collective.
     void
     number_globally(
-      const dealii::parallel::distributed::Triangulation<dim> &tria);
+      const dealii::parallel::DistributedTriangulationBase<dim> &tria);
 
     Face
     face_behind(const CellIterator &cell, const unsigned int face_no);

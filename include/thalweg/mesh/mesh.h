@@ -1,36 +1,20 @@
 #ifndef thalweg_mesh_mesh_h
 #define thalweg_mesh_mesh_h
 
-#include <thalweg/core/registry.h>
 #include <thalweg/mesh/cell_graph.h>
-#include <thalweg/mesh/geometry.h>
+#include <thalweg/mesh/mesh_plan.h>
 
-#include <deal.II/distributed/tria.h>
 #include <deal.II/fe/mapping_q1.h>
 
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
-  /// The parameters of the sections "Geometry" and "Refinement".
-  template <int dim>
-  struct MeshParameters
-  {
-    /// Declares both sections below @p root.
-    void
-    declare(const Section &root);
-
-    Choice<Geometry<dim>>    geometry;
-    std::vector<std::string> periodic_boundaries;
-    unsigned int             global_refinement = 0;
-    std::string              local_refinement  = "0";
-  };
-
   /**
-   * @brief The p4est mesh, its boundary names, and its cell graph.
+   * @brief The distributed mesh, its boundary names, and its cell graph.
    *
    * What stands on it is made anew after each change (SimulationParts).
    */
@@ -38,8 +22,9 @@ namespace Thalweg
   class Mesh
   {
   public:
-    using Triangulation = dealii::parallel::distributed::Triangulation<dim>;
+    using Triangulation = typename MeshPartition<dim>::Triangulation;
 
+    /// A mesh of p4est that is still empty.
     explicit Mesh(const MPI_Comm communicator);
 
     /// Creates the coarse mesh and joins periodic boundaries, no more; for
@@ -48,23 +33,29 @@ namespace Thalweg
     create_coarse(const MeshParameters<dim> &parameters);
 
     /**
-     * @brief Creates the coarse mesh, joins periodic boundaries and refines.
+     * @brief Creates the coarse mesh, joins periodic boundaries, refines, and
+     * distributes the cells.
      * @throws dealii::ExcMessage for unknown boundary names and everything
      *   that the geometry refuses
      */
     void
     create(const MeshParameters<dim> &parameters);
 
+    /// Creates what `triangulation().load()` needs to read a mesh. Throws as
+    /// create() does.
+    void
+    create_to_load(const MeshParameters<dim> &parameters);
+
     const Triangulation &
     triangulation() const
     {
-      return tria;
+      return *tria;
     }
 
     Triangulation &
     triangulation()
     {
-      return tria;
+      return *tria;
     }
 
     const CellGraph<dim> &
@@ -82,21 +73,16 @@ namespace Thalweg
     /// The id of the boundary @p name; the message of the exception lists
     /// the names that exist.
     dealii::types::boundary_id
-    boundary_id(const std::string &name) const;
+    boundary_id(const std::string &name) const
+    {
+      return find_boundary(names, name);
+    }
 
-    const std::map<std::string, dealii::types::boundary_id> &
+    const BoundaryNames &
     boundary_names() const
     {
       return names;
     }
-
-    /// A pair of periodic boundaries.
-    struct PeriodicPair
-    {
-      dealii::types::boundary_id first;
-      dealii::types::boundary_id second;
-      unsigned int               direction;
-    };
 
     const std::vector<PeriodicPair> &
     periodic_pairs() const
@@ -104,10 +90,17 @@ namespace Thalweg
       return periodic;
     }
 
-    /// A number that tells the coarse mesh from others: a checksum of its
-    /// corners and boundary ids.
+    /// A number that tells the coarse mesh from others.
     std::uint64_t
-    coarse_checksum() const;
+    coarse_checksum() const
+    {
+      return checksum;
+    }
+
+    /// Distributes the cells over the ranks anew, for meshes whose partition
+    /// can change. What hangs on the cells must have been attached to them.
+    void
+    repartition();
 
     /// Makes the graph anew; to be called when the triangulation was changed
     /// from outside.
@@ -115,21 +108,17 @@ namespace Thalweg
     update();
 
   private:
+    /// Takes over a mesh and what its plan knows.
     void
-    join_periodic_boundaries(const std::vector<std::string> &pairs);
+    adopt(std::unique_ptr<Triangulation> made, const MeshPlan<dim> &plan);
 
-    PeriodicPair
-    find_periodic_pair(const std::string &names) const;
-
-    void
-    refine_locally(const unsigned int global_levels,
-                   const std::string &extra_levels);
-
-    Triangulation                                     tria;
-    dealii::MappingQ1<dim>                            mapping_q1;
-    CellGraph<dim>                                    cell_graph;
-    std::map<std::string, dealii::types::boundary_id> names;
-    std::vector<PeriodicPair>                         periodic;
+    MPI_Comm                       communicator;
+    std::unique_ptr<Triangulation> tria;
+    dealii::MappingQ1<dim>         mapping_q1;
+    CellGraph<dim>                 cell_graph;
+    BoundaryNames                  names;
+    std::vector<PeriodicPair>      periodic;
+    std::uint64_t                  checksum = 0;
   };
 } // namespace Thalweg
 

@@ -28,6 +28,10 @@ namespace Thalweg
     void
     check(std::vector<std::string> &faults) const;
 
+    /// @throws dealii::ExcMessage if the mesh is to change and cannot
+    void
+    check_change() const;
+
     MeshParameters<dim>         mesh;
     AdaptiveRefinement<dim>     adaptive;
     LoadBalance<dim>            balance;

@@ -1,3 +1,4 @@
+#include <thalweg/mesh/geometries/division.h>
 #include <thalweg/mesh/geometries/tools.h>
 #include <thalweg/mesh/geometry.h>
 
@@ -30,6 +31,13 @@ namespace Thalweg
                     "What all coordinates are multiplied with, for example "
                     "0.001 for a file in millimetres.",
                     dealii::Patterns::Double(1e-300));
+        section.add("Divide cells",
+                    is_divided,
+                    "",
+                    "Whether each cell is divided into quadrilaterals or "
+                    "hexahedra, one at each corner: a triangle into three, a "
+                    "tetrahedron into four. Needed for files with such "
+                    "cells.");
         section.add("Boundary names",
                     given_names,
                     "",
@@ -42,7 +50,14 @@ namespace Thalweg
       create(dealii::Triangulation<dim> &triangulation) const override
       {
         dealii::Triangulation<dim> mesh;
-        read(mesh);
+        if (is_divided)
+          {
+            dealii::Triangulation<dim> whole;
+            read(whole);
+            Geometries::divide_into_cubes(whole, mesh, what());
+          }
+        else
+          read(mesh);
         if (scale != 1.)
           dealii::GridTools::scale(scale, mesh);
         Geometries::copy_coarse_mesh(mesh, triangulation, what());
@@ -155,8 +170,9 @@ namespace Thalweg
       }
 
 
-      std::string                         file_name = "mesh.msh";
-      double                              scale     = 1.;
+      std::string                         file_name  = "mesh.msh";
+      double                              scale      = 1.;
+      bool                                is_divided = false;
       std::map<std::string, unsigned int> given_names;
       mutable std::map<std::string, dealii::types::boundary_id> names;
     };
@@ -165,7 +181,8 @@ namespace Thalweg
   THALWEG_REGISTER(Geometry,
                    File,
                    "file",
-                   "a mesh of quadrilaterals or hexahedra from a file. "
-                   "Boundary and material ids are kept; boundaries are "
+                   "a mesh of quadrilaterals or hexahedra from a file, or of "
+                   "cells that are divided into such. Boundary and material "
+                   "ids are kept; boundaries are "
                    "called by their numbers, or by given names.")
 } // namespace Thalweg

@@ -160,9 +160,11 @@ namespace Thalweg
                   dealii::ExcMessage(
                     what + " has cells that are not " +
                     (dim == 2 ? "quadrilaterals" : "hexahedra") +
-                    ", which are the only ones supported. Let the mesh "
-                    "generator recombine or divide them (in Gmsh: "
-                    "'Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = " +
+                    ", which are the only ones supported, whatever "
+                    "'Partition/Model' is. Set 'Geometry/file/Divide cells = "
+                    "true', or let the mesh generator recombine them (in "
+                    "Gmsh: 'Mesh.RecombineAll = 1; "
+                    "Mesh.SubdivisionAlgorithm = " +
                     (dim == 2 ? "1" : "2") + ";')."));
       AssertThrow(source.n_levels() == 1,
                   dealii::ExcMessage(what +

@@ -69,6 +69,7 @@ namespace Thalweg
                               const unsigned int               f,
                               const dealii::types::boundary_id id) {
       const BoundaryKind kind = conditions_.at(id).kind;
+      const auto         center = graph.iterator(c)->face(f)->center();
       for (unsigned int i = 0; i < graph.n_face_children; ++i)
         {
           const unsigned int v = Geometry::face_to_cell_vertices(f, i);
@@ -77,8 +78,10 @@ namespace Thalweg
           demands[node].position = x;
           demands[node].add(id,
                             kind,
-                            weighted_normal<dim>(
-                              graph.cell(c), f, Geometry::unit_cell_vertex(v)));
+                            weighted_normal<dim>(graph.cell(c),
+                                                 f,
+                                                 Geometry::unit_cell_vertex(v)),
+                            center - x);
           if (kind == BoundaryKind::open)
             pressures[node] = {node, x, id};
         }
@@ -88,7 +91,11 @@ namespace Thalweg
     const unsigned int n_owned = space.scalar_layout().locally_owned_size();
     for (const auto &[node, demand] : demands)
       if (node < n_owned && !space.is_dependent(node))
-        fixed.add(node, demand);
+        {
+          fixed.add(node, demand);
+          if (demand.kind == BoundaryKind::slip)
+            slip.add(node, demand);
+        }
     for (const auto &[node, entry] : pressures)
       if (!space.is_dependent(node))
         open_nodes.push_back(entry);

@@ -2,6 +2,8 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   namespace
@@ -27,24 +29,47 @@ namespace Thalweg
 
 
 
-    /// Adds the normal of a face to those of its wall, or as another part of
-    /// the wall behind a sharp edge.
+    /// Whether two directions are those of one smooth wall.
+    template <int dim>
+    bool
+    is_smooth(const dealii::Tensor<1, dim> &first,
+              const dealii::Tensor<1, dim> &second)
+    {
+      return first * second >=
+             smooth_wall_cosine * first.norm() * second.norm();
+    }
+
+
+
+    /// Adds a face to its wall, or as another part of the wall behind a sharp
+    /// edge.
     template <int dim>
     void
-    add_wall(
-      const dealii::types::boundary_id id,
-      const dealii::Tensor<1, dim>    &normal,
-      std::vector<std::pair<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
-        &walls)
+    add_face(const typename NodeDemand<dim>::Wall        &face,
+             std::vector<typename NodeDemand<dim>::Wall> &walls)
     {
-      for (auto &[wall, mean] : walls)
-        if (wall == id &&
-            mean * normal >= smooth_wall_cosine * mean.norm() * normal.norm())
+      for (auto &wall : walls)
+        if (wall.boundary == face.boundary &&
+            is_smooth(wall.normal, face.normal))
           {
-            mean += normal;
+            wall.normal += face.normal;
+            wall.along += face.along;
             return;
           }
-      walls.emplace_back(id, normal);
+      walls.push_back(face);
+    }
+
+
+
+    /// Whether two walls meet in a sharp edge that sticks out into the fluid:
+    /// the second one goes back behind the first.
+    template <int dim>
+    bool
+    is_salient(const typename NodeDemand<dim>::Wall &first,
+               const typename NodeDemand<dim>::Wall &second)
+    {
+      return !is_smooth(first.normal, second.normal) &&
+             first.normal * second.along > 0.;
     }
 
 
@@ -73,7 +98,8 @@ namespace Thalweg
   void
   NodeDemand<dim>::add(const dealii::types::boundary_id id,
                        const BoundaryKind               kind_of_face,
-                       const dealii::Tensor<1, dim>    &normal)
+                       const dealii::Tensor<1, dim>    &normal,
+                       const dealii::Tensor<1, dim>    &along)
   {
     if (precedence(kind_of_face) >= precedence(kind))
       {
@@ -81,7 +107,32 @@ namespace Thalweg
         boundary = id;
       }
     if (kind_of_face == BoundaryKind::slip)
-      add_wall<dim>(id, normal, walls);
+      add_face<dim>({id, normal, along}, walls);
+  }
+
+
+
+  template <int dim>
+  std::vector<dealii::Tensor<1, dim>>
+  NodeDemand<dim>::fixed_directions() const
+  {
+    std::vector<dealii::Tensor<1, dim>> directions;
+    for (const Wall &wall : walls)
+      if (std::none_of(walls.begin(), walls.end(), [&](const Wall &other) {
+            return is_salient<dim>(wall, other);
+          }))
+        add_direction(directions, wall.normal / wall.normal.norm());
+    return directions;
+  }
+
+
+
+  template <int dim>
+  bool
+  NodeDemand<dim>::is_free() const
+  {
+    return kind == BoundaryKind::open ||
+           (kind == BoundaryKind::slip && fixed_directions().empty());
   }
 
 
@@ -90,12 +141,11 @@ namespace Thalweg
   void
   FixedNodes<dim>::add(const unsigned int node, const NodeDemand<dim> &demand)
   {
-    if (demand.kind == BoundaryKind::open)
+    if (demand.is_free())
       return;
     Node entry{node, demand.position, demand.kind, demand.boundary, {}};
     if (demand.kind == BoundaryKind::slip)
-      for (const auto &[wall, normal] : demand.walls)
-        add_direction(entry.directions, normal / normal.norm());
+      entry.directions = demand.fixed_directions();
     nodes.push_back(entry);
   }
 

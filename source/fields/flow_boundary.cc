@@ -10,7 +10,8 @@ namespace Thalweg
 {
   namespace
   {
-    /// Calls @p visit(boundary id, local node, position, normal) for each
+    /// Calls @p visit(boundary id, local node, position, normal, way from the
+    /// node to the face's centre) for each
     /// node of each boundary face that is not periodic, of owned and ghost
     /// cells.
     template <int dim, typename Visitor>
@@ -42,7 +43,9 @@ namespace Thalweg
                         space.nodes(c)[place],
                         values.quadrature_point(i),
                         graph.iterator(c)->face(f)->diameter() *
-                          values.normal_vector(i));
+                          values.normal_vector(i),
+                        graph.iterator(c)->face(f)->center() -
+                          values.quadrature_point(i));
                 }
             }
     }
@@ -73,16 +76,18 @@ namespace Thalweg
                            [&](const dealii::types::boundary_id id,
                                const unsigned int               node,
                                const dealii::Point<dim>        &position,
-                               const dealii::Tensor<1, dim>    &normal) {
+                               const dealii::Tensor<1, dim>    &normal,
+                               const dealii::Tensor<1, dim>    &along) {
                              demands[node].position = position;
                              demands[node].add(id,
                                                conditions_.at(id).kind,
-                                               normal);
+                                               normal,
+                                               along);
                              sums[{node, id}] += normal;
                            });
     for (const auto &[node, demand] : demands)
       if (node < space.n_owned_nodes() && !space.is_dependent(node) &&
-          demand.kind != BoundaryKind::open)
+          !demand.is_free())
         {
           fixed_nodes.add(node, demand);
           if (demand.kind == BoundaryKind::slip)
@@ -102,6 +107,7 @@ namespace Thalweg
                            [&](const dealii::types::boundary_id id,
                                const unsigned int               node,
                                const dealii::Point<dim>        &position,
+                               const dealii::Tensor<1, dim> &,
                                const dealii::Tensor<1, dim> &) {
                              if (conditions_.at(id).kind == BoundaryKind::open)
                                nodes[node] = {node, position, id};

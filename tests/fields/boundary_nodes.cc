@@ -142,6 +142,64 @@ TYPED_TEST(BoundaryNodesMpi, SlipWallsMeetInCornersOfOneBoundaryToo)
 
 
 
+TYPED_TEST(BoundaryNodesMpi, EdgesOfObstaclesAreFreeButForTheFloor)
+{
+  constexpr int     dim = TypeParam::value;
+  const std::string z   = dim == 3 ? ", 0.25" : "";
+  const Scene<dim>  scene(
+    section("Geometry",
+            {"Model = box with obstacles"},
+            section("box with obstacles",
+                    {"Cell size = 0.25",
+                      "Obstacles = 0.25, 0" + z + " : 0.75, 0.5" +
+                        (dim == 3 ? ", 0.75" : "")})));
+  Vector velocity = scene.velocity([](const auto &) { return ones<dim>(); });
+  scene.boundary->project_slip(velocity);
+  const auto at_side = [](const auto &p, const unsigned int d) {
+    return std::abs(p[d] - .25) < near || std::abs(p[d] - .75) < near;
+  };
+  const auto within = [](const auto &p, const unsigned int d) {
+    return p[d] > .25 - near && p[d] < .75 + near;
+  };
+  scene.for_each_node([&](const unsigned int n, const auto &p) {
+    // The faces of the obstacle that meet in the node.
+    const bool beside =
+      p[1] < .5 + near && within(p, 0) && (dim == 2 || within(p, dim - 1));
+    const bool x     = beside && at_side(p, 0);
+    const bool z     = beside && dim == 3 && at_side(p, dim - 1);
+    const bool top   = beside && p[1] > .5 - near;
+    const bool sharp = x + z + top > 1;
+    const auto u     = scene.at(velocity, n);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const bool outer = p[d] < near || p[d] > 1. - near;
+        const bool inner = !sharp && (d == 0 ? x : d == 1 ? top : z);
+        EXPECT_NEAR(u[d], outer || inner ? 0. : 1., 1e-14) << p;
+      }
+  });
+}
+
+
+
+TYPED_TEST(BoundaryNodesMpi, SlipIsProjectedAtSlipWallsOnly)
+{
+  constexpr int    dim = TypeParam::value;
+  const Scene<dim> scene(hanging_box<dim>(4) + all_kinds<dim>());
+  Vector velocity = scene.velocity([](const auto &) { return ones<dim>(); });
+  scene.boundary->project_slip(velocity);
+  scene.for_each_node([&](const unsigned int n, const auto &p) {
+    auto       expected = ones<dim>();
+    const bool sticks   = p[0] < near || p[0] > 1. - near;
+    if (p[1] < near && !sticks)
+      expected[1] = 0.;
+    if (dim == 3 && (p[2] < near || p[2] > 1. - near) && !sticks)
+      expected[2] = 0.;
+    EXPECT_NEAR((scene.at(velocity, n) - expected).norm(), 0., 1e-14) << p;
+  });
+}
+
+
+
 TEST(BoundaryNodesMpi, CurvedSlipWallsLeaveTheTangentialVelocity)
 {
   const Scene<2> scene(

@@ -191,38 +191,75 @@ TEST(NodeDemand, TheStrictestConditionHolds)
   x[0] = 2.;
   y[1] = 1.;
   NodeDemand<2> demand;
-  demand.add(1, BoundaryKind::open, x);
+  demand.add(1, BoundaryKind::open, x, y);
   EXPECT_EQ(demand.kind, BoundaryKind::open);
-  demand.add(2, BoundaryKind::slip, y);
+  demand.add(2, BoundaryKind::slip, y, x);
   EXPECT_EQ(demand.kind, BoundaryKind::slip);
-  demand.add(3, BoundaryKind::velocity, x);
-  demand.add(4, BoundaryKind::no_slip, y);
+  demand.add(3, BoundaryKind::velocity, x, y);
+  demand.add(4, BoundaryKind::no_slip, y, x);
   EXPECT_EQ(demand.kind, BoundaryKind::velocity);
   EXPECT_EQ(demand.boundary, 3u);
 }
 
 
 
+namespace
+{
+  /// A node where a wall with the normal x meets one whose normal is turned
+  /// by @p angle: in a corner, or in an edge that sticks out.
+  NodeDemand<2>
+  two_walls(const double                     angle,
+            const dealii::types::boundary_id other,
+            const bool                       sticks_out)
+  {
+    dealii::Tensor<1, 2> first, second, along_first, along_second;
+    first[0]           = 1.;
+    along_first[1]     = -1.;
+    second[0]          = std::cos(angle);
+    second[1]          = std::sin(angle);
+    along_second[0]    = -second[1];
+    along_second[1]    = second[0];
+    const double  sign = sticks_out ? -1. : 1.;
+    NodeDemand<2> demand;
+    demand.add(1, BoundaryKind::slip, first, sign * along_first);
+    demand.add(other, BoundaryKind::slip, second, sign * along_second);
+    return demand;
+  }
+} // namespace
+
+
+
 TEST(NodeDemand, FacesOfASmoothWallHaveOneNormal)
 {
-  const auto fixed_directions = [](const double                     angle,
-                                   const dealii::types::boundary_id other) {
-    dealii::Tensor<1, 2> first, second;
-    first[0]  = 1.;
-    second[0] = std::cos(angle);
-    second[1] = std::sin(angle);
-    NodeDemand<2> demand;
-    demand.add(1, BoundaryKind::slip, first);
-    demand.add(other, BoundaryKind::slip, second);
-    FixedNodes<2> nodes;
-    nodes.add(0, demand);
-    return nodes.all().at(0).directions;
-  };
-  const auto smooth = fixed_directions(.3, 1);
-  ASSERT_EQ(smooth.size(), 1u);
-  EXPECT_NEAR(smooth[0][0], std::cos(.15), 1e-14);
-  EXPECT_NEAR(smooth[0][1], std::sin(.15), 1e-14);
-  EXPECT_EQ(fixed_directions(1.5, 1).size(), 2u);
-  EXPECT_EQ(fixed_directions(1.5, 2).size(), 2u);
-  EXPECT_EQ(fixed_directions(0., 2).size(), 1u);
+  for (const bool sticks_out : {false, true})
+    {
+      const auto smooth = two_walls(.3, 1, sticks_out).fixed_directions();
+      ASSERT_EQ(smooth.size(), 1u);
+      EXPECT_NEAR(smooth[0][0], std::cos(.15), 1e-14);
+      EXPECT_NEAR(smooth[0][1], std::sin(.15), 1e-14);
+      EXPECT_EQ(two_walls(0., 2, sticks_out).fixed_directions().size(), 1u);
+      EXPECT_EQ(two_walls(.3, 2, sticks_out).fixed_directions().size(), 1u);
+    }
+  EXPECT_EQ(two_walls(1.5, 1, false).fixed_directions().size(), 2u);
+  EXPECT_EQ(two_walls(1.5, 2, false).fixed_directions().size(), 2u);
+}
+
+
+
+TEST(NodeDemand, AnEdgeThatSticksOutFixesNothing)
+{
+  for (const dealii::types::boundary_id other : {1, 2})
+    {
+      NodeDemand<2> edge = two_walls(1.5, other, true);
+      EXPECT_TRUE(edge.is_free());
+      EXPECT_FALSE(two_walls(1.5, other, false).is_free());
+      FixedNodes<2> nodes;
+      nodes.add(0, edge);
+      EXPECT_TRUE(nodes.all().empty());
+      // Where the fluid sticks to one of the walls it does.
+      dealii::Tensor<1, 2> normal;
+      normal[1] = 1.;
+      edge.add(3, BoundaryKind::no_slip, normal, normal);
+      EXPECT_FALSE(edge.is_free());
+    }
 }

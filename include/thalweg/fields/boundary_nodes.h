@@ -13,8 +13,9 @@ namespace Thalweg
    * at the nodes.
    *
    * A node has as many fixed directions as conditions demand: one on a
-   * smooth slip wall, two on an edge between two, all of them where the
-   * velocity is given or the fluid sticks.
+   * smooth slip wall, two on an edge between two, none on one that sticks
+   * out into the fluid, all of them where the velocity is given or the fluid
+   * sticks.
    */
   template <int dim>
   class BoundaryNodes
@@ -37,6 +38,13 @@ namespace Thalweg
     project(Vector &velocity) const
     {
       fixed.project(velocity);
+    }
+
+    /// Removes the normal components at slip walls. Owned entries only.
+    void
+    project_slip(Vector &velocity) const
+    {
+      slip.project(velocity);
     }
 
     /**
@@ -95,6 +103,7 @@ namespace Thalweg
     const NodeSpace<dim>          &space;
     const BoundaryConditions<dim> &conditions_;
     FixedNodes<dim>                fixed;
+    FixedNodes<dim>                slip;
     std::vector<PressureNode>      open_nodes;
     std::vector<Face>              faces;
   };

@@ -21,21 +21,46 @@ namespace Thalweg
     BoundaryKind kind = BoundaryKind::open;
     /// The boundary of that kind.
     dealii::types::boundary_id boundary = dealii::numbers::invalid_boundary_id;
-    /// Weighted normals of slip walls with their boundaries; one for each
-    /// smooth part of a wall.
-    std::vector<std::pair<dealii::types::boundary_id, dealii::Tensor<1, dim>>>
-      walls;
+
+    /// A smooth part of a slip wall.
+    struct Wall
+    {
+      dealii::types::boundary_id boundary;
+      /// The sum of the faces' weighted normals.
+      dealii::Tensor<1, dim> normal;
+      /// The sum of the ways from the node to the faces' centres.
+      dealii::Tensor<1, dim> along;
+    };
+    std::vector<Wall> walls;
 
     /**
      * @brief Adds what a face asks for.
      * @param id of the face's boundary
      * @param kind_of_face its condition
      * @param normal outward, with a weight as its length
+     * @param along from the node to the face's centre
      */
     void
     add(const dealii::types::boundary_id id,
         const BoundaryKind               kind_of_face,
-        const dealii::Tensor<1, dim>    &normal);
+        const dealii::Tensor<1, dim>    &normal,
+        const dealii::Tensor<1, dim>    &along);
+
+    /**
+     * @brief The normals of the slip walls, orthonormal, without those of
+     * walls that meet in an edge which sticks out into the fluid.
+     *
+     * Fluid leaves such an edge along either wall, or anywhere in between:
+     * with both normals fixed it would stick to it. That nothing passes the
+     * walls beside the edge is what the pressure equation's natural boundary
+     * condition says.
+     */
+    std::vector<dealii::Tensor<1, dim>>
+    fixed_directions() const;
+
+    /// Whether nothing is asked for: open, or only such edges.
+    bool
+    is_free() const;
   };
 
   /**

@@ -58,6 +58,10 @@ namespace Thalweg
     void
     choose_convecting_velocity(const double time);
 
+    /// V* and the level set from the particles, V* as slip walls admit it.
+    void
+    project_particles();
+
     /// When the velocity of the mesh is to be after a step to @p time.
     double
     end_of_acceleration(const double time, const double dt) const;

@@ -2,7 +2,7 @@
 
 from math import pi
 
-from single_fluid import (PATHS, SPACES, boxes, errors, last_error, steps,
+from single_fluid import (ONCE, PATHS, SPACES, boxes, errors, last_error, steps,
                           theta, with_orders)
 from thalweg import finished
 
@@ -31,7 +31,7 @@ def against_mesh(runner, report, reduced):
             for n in meshes:
                 runs[case, space, n] = runner.start(
                     case, f"{case}_{space}_{n}",
-                    {**SPACES[space], **PATHS,
+                    {**SPACES[space], **ONCE, **PATHS,
                      **boxes(round(aspect * n), n),
                      **steps(rate * n, end), **EXACT_START.get(case, {}),
                      "Postprocess/Models": "velocity error"})
@@ -57,7 +57,7 @@ def against_step(runner, report):
     numbers = (10, 20, 40, 80)
     runs = {(case, k): runner.start(
         case, f"{case}_step_{k}",
-        {**SPACES["Q2-Q2"], **boxes(round(32 * FLOWS[case][1]), 32),
+        {**SPACES["Q2-Q2"], **ONCE, **boxes(round(32 * FLOWS[case][1]), 32),
          **steps(k, FLOWS[case][0]), "Postprocess/Models": "velocity error"})
         for case in ("couette", "womersley") for k in numbers}
     found = {key: worst(output, key[0])

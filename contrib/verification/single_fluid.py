@@ -21,6 +21,9 @@ def spaces(velocity, pressure, per_direction):
 # name in tables: settings
 SPACES = {"Q1-Q1": spaces(1, 1, 3), "Q2-Q2": spaces(2, 2, 4)}
 TAYLOR_HOOD = {"Q2-Q1": spaces(2, 1, 4)}
+# All steps made alike, without which there is no order in the step; else they are
+# made again where the prediction failed.
+ONCE = {METHOD + "Maximal corrector iterations": 0}
 # Paths as exact as the fields are.
 PATHS = {"Particles/Integrator": "rk4",
          "Particles/Substep Courant number": .25}

@@ -2,14 +2,12 @@
 
 from math import pi
 
-from single_fluid import (METHOD, PATHS, SPACES, boxes, errors, last_error,
+from single_fluid import (ONCE, PATHS, SPACES, boxes, errors, last_error,
                           steps, with_orders)
 from thalweg import REFERENCE, column, finished, read_rows
 
 COURANT = (.25, .5, 1., 2., 5., 10., 20.)
 REYNOLDS = (100, 1000)
-# All steps made once, or made again as often as the defaults want.
-ONCE = {METHOD + "Maximal corrector iterations": 0}
 
 
 def settings(reynolds):

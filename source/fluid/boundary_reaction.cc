@@ -73,19 +73,17 @@ namespace Thalweg
         const auto &cell = V.mesh().graph().iterator(c);
         velocity.reinit(Compat::on_dof_handler(cell, V.scalar()), f);
         pressure.reinit(Compat::on_dof_handler(cell, P.scalar()), f);
-        Face face{c, std::vector<double>(n), {n * m, Tensor<1, dim>()}};
+        Face face{c, {n * m, Tensor<1, dim>()}};
         for (unsigned int q = 0; q < gauss.size(); ++q)
           for (unsigned int i = 0; i < n; ++i)
             {
               const double w = velocity.shape_value(i, q) * velocity.JxW(q);
-              face.area[row[i]] += w;
+              for (unsigned int d = 0; d < dim; ++d)
+                area.local_element(dim * V.nodes(c)[row[i]] + d) += w;
               for (unsigned int j = 0; j < m; ++j)
                 face.pressure[row[i] * m + place[j]] +=
                   w * pressure.shape_value(j, q) * velocity.normal_vector(q);
             }
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            area.local_element(dim * V.nodes(c)[i] + d) += face.area[i];
         faces.push_back(std::move(face));
       });
     V.fold(area, dim);

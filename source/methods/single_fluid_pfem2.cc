@@ -164,8 +164,8 @@ namespace Thalweg
 
 
   template <int dim>
-  bool
-  SingleFluidPfem2<dim>::is_another_needed(const unsigned int n_passes) const
+  unsigned int
+  SingleFluidPfem2<dim>::n_given_corrections() const
   {
     // Viscosity below theta = 1 turns rough fields over from step to step;
     // extrapolation triples them with the wrong sign.
@@ -175,7 +175,16 @@ namespace Thalweg
       std::max(corrector_iterations, turns_over ? 1u : 0u);
     if (flow->is_at_start())
       corrections = std::max(corrections, first_corrections);
-    if (n_passes <= corrections)
+    return corrections;
+  }
+
+
+
+  template <int dim>
+  bool
+  SingleFluidPfem2<dim>::is_another_needed(const unsigned int n_passes) const
+  {
+    if (n_passes <= n_given_corrections())
       return true;
     return n_passes <= maximal_corrections &&
            flow->prediction_error() > corrector_tolerance;
@@ -214,7 +223,8 @@ namespace Thalweg
     for (const char *column : {"pressure iterations", "viscous iterations"})
       parts->context.statistics.set(column, 0);
     flow->start_step(time, dt);
-    particles_at_start.save(parts->population);
+    if (n_given_corrections() + maximal_corrections > 0)
+      particles_at_start.save(parts->population);
     unsigned int n_passes = 0;
     for (; is_another_needed(n_passes); ++n_passes)
       {

@@ -61,12 +61,10 @@ namespace Thalweg
                   Vector       &traction) const;
 
   private:
-    /// What a face adds: [node of velocity] int N and
-    /// [node of velocity][node of pressure] int N q n.
+    /// A face's [node of velocity][node of pressure] int N q n.
     struct Face
     {
       unsigned int                        cell;
-      std::vector<double>                 area;
       std::vector<dealii::Tensor<1, dim>> pressure;
     };
 

@@ -66,6 +66,10 @@ namespace Thalweg
     void
     show_at_vertices();
 
+    /// How often the step is made again whatever was predicted.
+    unsigned int
+    n_given_corrections() const;
+
     /// Whether the step must be made once more after @p n_passes times.
     bool
     is_another_needed(const unsigned int n_passes) const;

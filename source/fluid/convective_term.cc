@@ -11,23 +11,16 @@ namespace Thalweg
     : operators(operators)
   {
     using namespace dealii;
-    const auto       &V = operators.velocity_space;
-    const auto       &P = operators.pressure_space;
-    const QGauss<dim> gauss(V.degree() + 1);
+    const auto        &V = operators.velocity_space;
+    const unsigned int n = V.n_nodes_per_cell();
+    const QGauss<dim>  gauss(V.degree() + 1);
     n_points = gauss.size();
-
-    const auto tabulate = [&gauss](const LagrangeSpace<dim> &space,
-                                   std::vector<Shape>       &shapes) {
-      const unsigned int n = space.n_nodes_per_cell();
-      shapes.resize(gauss.size() * n);
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        for (unsigned int i = 0; i < n; ++i)
-          shapes[q * n + space.lexicographic()[i]] = {
-            space.scalar().get_fe().shape_value(i, gauss.point(q)),
-            space.scalar().get_fe().shape_grad(i, gauss.point(q))};
-    };
-    tabulate(V, velocity_shapes);
-    tabulate(P, pressure_shapes);
+    shapes.resize(n_points * n);
+    for (unsigned int q = 0; q < n_points; ++q)
+      for (unsigned int i = 0; i < n; ++i)
+        shapes[q * n + V.lexicographic()[i]] = {
+          V.scalar().get_fe().shape_value(i, gauss.point(q)),
+          V.scalar().get_fe().shape_grad(i, gauss.point(q))};
 
     FEValues<dim>     values(V.mapping(),
                          V.scalar().get_fe(),
@@ -58,8 +51,7 @@ namespace Thalweg
                            const double  factor) const
   {
     const auto        &V = operators.velocity_space;
-    const auto        &P = operators.pressure_space;
-    const unsigned int n = V.n_nodes_per_cell(), m = P.n_nodes_per_cell();
+    const unsigned int n = V.n_nodes_per_cell();
     for (unsigned int c = 0; c < V.mesh().graph().n_owned_cells(); ++c)
       for (unsigned int q = 0; q < n_points; ++q)
         {
@@ -68,7 +60,7 @@ namespace Thalweg
           dealii::Tensor<2, dim> reference_gradient;
           for (unsigned int i = 0; i < n; ++i)
             {
-              const Shape &shape = velocity_shapes[q * n + i];
+              const Shape &shape = shapes[q * n + i];
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   const double nodal =
@@ -77,14 +69,14 @@ namespace Thalweg
                   reference_gradient[d] += nodal * shape.gradient;
                 }
             }
-          // V . grad V = (du/dxi) (dxi/dx) V, and back for the test function.
-          const dealii::Tensor<1, dim> convection =
-            reference_gradient * (point.inverse_jacobian * u);
+          // V . grad V = (du/dxi) (dxi/dx) V
           const dealii::Tensor<1, dim> load =
-            (factor * point.JxW) * (point.inverse_jacobian * convection);
-          for (unsigned int j = 0; j < m; ++j)
-            result.local_element(P.nodes(c)[j]) +=
-              pressure_shapes[q * m + j].gradient * load;
+            (factor * point.JxW) *
+            (reference_gradient * (point.inverse_jacobian * u));
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int d = 0; d < dim; ++d)
+              result.local_element(dim * V.nodes(c)[i] + d) +=
+                shapes[q * n + i].value * load[d];
         }
   }
 

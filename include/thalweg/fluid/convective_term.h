@@ -10,7 +10,7 @@
 namespace Thalweg
 {
   /**
-   * @brief The integral int grad q . (V . grad V), by which the pressure of a
+   * @brief The integrals int N_i V . grad V, by which the pressure of a
    * velocity field is found.
    */
   template <int dim>
@@ -19,7 +19,7 @@ namespace Thalweg
   public:
     explicit ConvectiveTerm(const FlowOperators<dim> &operators);
 
-    /// result += factor int grad q . (V . grad V); not folded.
+    /// result_i += factor int N_i V . grad V; not folded.
     /// @param velocity ghosted
     void
     add(const Vector &velocity, Vector &result, const double factor) const;
@@ -41,9 +41,8 @@ namespace Thalweg
 
     const FlowOperators<dim> &operators;
     unsigned int              n_points;
-    std::vector<Point>        points;          ///< [shape][q]
-    std::vector<Shape>        velocity_shapes; ///< [q][node]
-    std::vector<Shape>        pressure_shapes; ///< [q][node]
+    std::vector<Point>        points; ///< [shape][q]
+    std::vector<Shape>        shapes; ///< [q][node]
   };
 } // namespace Thalweg
 

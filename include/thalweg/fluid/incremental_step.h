@@ -45,9 +45,12 @@ namespace Thalweg
     viscous_acceleration(const Vector &velocity, Vector &g);
 
     /**
-     * @brief (M + theta nu dt K) smooth = M g: what an implicit step makes of
-     * the viscous acceleration. It stays bounded at any Fourier number, so
-     * that it may be integrated along streamlines.
+     * @brief The viscous acceleration as it may be integrated along
+     * streamlines at any Fourier number: S g + S (g - S g), where S =
+     * (M + theta nu dt K)^{-1} M is what an implicit step makes of a field.
+     *
+     * It stays below 2 V / (theta dt) and differs from g by
+     * (theta nu dt K)^2 g in smooth fields.
      */
     void
     smooth(const Vector &g, const double dt, Vector &smoothed);
@@ -60,7 +63,12 @@ namespace Thalweg
      * @brief The pressure that belongs to a velocity field: that with which
      * its material acceleration keeps it free of divergence,
      *
-     * (grad q, grad p) = (grad q, forces - V . grad V) - <q, n . dV_D/dt>.
+     * (grad q, grad p) = (grad q, forces - c) - <q, n . dV_D/dt>,
+     *
+     * where M c = (N, V . grad V). Elements of degree 1 damp waves by the
+     * square of the cells' size in this equation and in the gradient; what the
+     * gradient pi of p misses, (grad q, grad p - pi), corrects p once, and the
+     * gradient is of fourth order inside uniform meshes.
      *
      * @param velocity ghosted
      * @param forces body and viscous forces, m/s^2, ghosted
@@ -113,6 +121,14 @@ namespace Thalweg
     /// velocity is given; g: M g = load, @p g without its values there.
     void
     extend_to_boundary(Vector &g);
+
+    /// Corrects the pressure by what its nodal gradient misses.
+    void
+    sharpen_pressure(const double tolerance, Vector &pressure);
+
+    /// pressure += L^{-1} pressure_load
+    void
+    add_to_pressure(const double tolerance, Vector &pressure);
 
     /// tau of each cell, and tau / dt + 1 for the operator of the pressure.
     void

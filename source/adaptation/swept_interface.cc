@@ -142,8 +142,7 @@ namespace Thalweg
           if (piece[0][0] > piece[1][0])
             continue;
           const dealii::Tensor<1, dim> way = time * mean_velocity(solution, c);
-          const double                 step =
-            edge_on_level<dim>(graph.iterator(c), levels.maximum);
+          const double       step = edge_on_level(graph, c, levels.maximum);
           const unsigned int n =
             std::ceil(std::min(way.norm() / step, most_pieces));
           pieces.push_back(piece);
@@ -271,8 +270,7 @@ namespace Thalweg
     const CellGraph<dim> &graph   = solution.mesh.graph();
     double                longest = 0.;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      longest = std::max(longest,
-                         edge_on_level<dim>(graph.iterator(c), levels.maximum));
+      longest = std::max(longest, edge_on_level(graph, c, levels.maximum));
     longest = dealii::Utilities::MPI::max(
       longest, solution.mesh.triangulation().get_communicator());
 
@@ -311,22 +309,23 @@ namespace Thalweg
 
   template <int dim>
   double
-  edge_on_level(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-                const unsigned int                                        level)
+  edge_on_level(const CellGraph<dim> &graph,
+                const unsigned int    cell,
+                const unsigned int    level)
   {
-    double longest = 0.;
-    for (const unsigned int line : cell->line_indices())
-      longest = std::max(longest, cell->line(line)->diameter());
-    return longest * std::exp2(cell->level() - static_cast<int>(level));
+    return graph.cell(cell).edges().second *
+           std::exp2(graph.iterator(cell)->level() - static_cast<int>(level));
   }
 
 
 
   THALWEG_INSTANTIATE(SweptInterface)
   template double
-  edge_on_level<2>(const dealii::Triangulation<2>::cell_iterator &,
+  edge_on_level<2>(const CellGraph<2> &,
+                   const unsigned int,
                    const unsigned int);
   template double
-  edge_on_level<3>(const dealii::Triangulation<3>::cell_iterator &,
+  edge_on_level<3>(const CellGraph<3> &,
+                   const unsigned int,
                    const unsigned int);
 } // namespace Thalweg

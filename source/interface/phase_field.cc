@@ -174,6 +174,7 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     cut_of_cell.assign(graph.n_owned_cells(), -1);
     fluid_of_cell.assign(graph.n_owned_cells(), 0);
+    level_sets.clear();
     cuts.clear();
     if (fluids.size() == 1)
       return;
@@ -202,16 +203,27 @@ namespace Thalweg
         fluid_of_cell[c] = sum < 0 ? 0 : 1;
         if (is_cut)
           {
-            cut_of_cell[c] = cuts.size();
-            cuts.push_back(
-              integrate_cut_cell<dim>(c,
-                                      graph.cell(c),
-                                      values,
-                                      w,
-                                      fluids,
-                                      parameters.enrichment != "none"));
+            cut_of_cell[c] = level_sets.size();
+            level_sets.push_back({c, values, w});
           }
       }
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::integrate_cuts() const
+  {
+    cuts.reserve(level_sets.size());
+    for (const CutLevelSet &level_set : level_sets)
+      cuts.push_back(
+        integrate_cut_cell<dim>(level_set.cell,
+                                space.mesh().graph().cell(level_set.cell),
+                                level_set.values,
+                                level_set.absolute,
+                                fluids,
+                                parameters.enrichment != "none"));
   }
 
 

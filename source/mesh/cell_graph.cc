@@ -7,6 +7,7 @@
 #include <deal.II/grid/tria_accessor.h>
 #include <deal.II/grid/tria_iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -76,6 +77,25 @@ namespace Thalweg
 
 
   template <int dim>
+  std::pair<double, double>
+  CellGraph<dim>::Cell::edges() const
+  {
+    double shortest = std::numeric_limits<double>::max(), longest = 0.;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      for (unsigned int d = 0; d < dim; ++d)
+        if (((v >> d) & 1u) == 0)
+          {
+            const double length =
+              (vertices[v + (1u << d)] - vertices[v]).norm();
+            shortest = std::min(shortest, length);
+            longest  = std::max(longest, length);
+          }
+    return {shortest, longest};
+  }
+
+
+
+  template <int dim>
   void
   CellGraph<dim>::build(
     const dealii::parallel::DistributedTriangulationBase<dim> &tria)
@@ -122,8 +142,7 @@ namespace Thalweg
 
     axis_parallel = axis_parallel && entry.axis_parallel;
     if (cell->is_locally_owned())
-      for (const unsigned int line : cell->line_indices())
-        shortest_edge = std::min(shortest_edge, cell->line(line)->diameter());
+      shortest_edge = std::min(shortest_edge, entry.edges().first);
 
     index_of_active_cell[cell->active_cell_index()] = cells.size();
     cells.push_back(entry);

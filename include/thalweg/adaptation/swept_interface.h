@@ -57,12 +57,13 @@ namespace Thalweg
 
 
 
-  /// The longest edge that a descendant of @p cell on level @p level has, in
-  /// m, if edges halve from level to level.
+  /// The longest edge that a descendant (or ancestor) of a cell on level
+  /// @p level has, in m, if edges halve from level to level.
   template <int dim>
   double
-  edge_on_level(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-                const unsigned int level);
+  edge_on_level(const CellGraph<dim> &graph,
+                const unsigned int    cell,
+                const unsigned int    level);
 } // namespace Thalweg
 
 #endif

@@ -8,6 +8,7 @@
 #include <thalweg/interface/redistance.h>
 #include <thalweg/materials/fluids.h>
 
+#include <array>
 #include <vector>
 
 namespace Thalweg
@@ -68,10 +69,13 @@ namespace Thalweg
       return cut_of_cell[cell];
     }
 
-    /// The cut cells, and those beside cut hanging faces.
+    /// The cut cells, and those beside cut hanging faces; integrated when
+    /// they are first asked for.
     const std::vector<CutCell<dim>> &
     cut_cells() const
     {
+      if (cuts.size() < level_sets.size())
+        integrate_cuts();
       return cuts;
     }
 
@@ -125,18 +129,30 @@ namespace Thalweg
     void
     build_cells();
 
-    const NodeSpace<dim>      &space;
-    const Fluids              &fluids;
-    const InterfaceParameters &parameters;
-    Redistance<dim>            redistance;
-    Vector                     phi;
-    std::vector<int>           cut_of_cell;
-    std::vector<unsigned char> fluid_of_cell;
-    std::vector<CutCell<dim>>  cuts;
-    double                     domain_volume    = 0;
-    double                     unshifted_volume = 0;
-    double                     shifted_volume   = 0;
-    double                     last_shift       = 0;
+    void
+    integrate_cuts() const;
+
+    /// The level set of a cell that is cut.
+    struct CutLevelSet
+    {
+      unsigned int                   cell;
+      std::array<double, (1 << dim)> values;
+      std::array<double, (1 << dim)> absolute; ///< of the nodes it depends on
+    };
+
+    const NodeSpace<dim>             &space;
+    const Fluids                     &fluids;
+    const InterfaceParameters        &parameters;
+    Redistance<dim>                   redistance;
+    Vector                            phi;
+    std::vector<int>                  cut_of_cell;
+    std::vector<unsigned char>        fluid_of_cell;
+    std::vector<CutLevelSet>          level_sets;
+    mutable std::vector<CutCell<dim>> cuts;
+    double                            domain_volume    = 0;
+    double                            unshifted_volume = 0;
+    double                            shifted_volume   = 0;
+    double                            last_shift       = 0;
   };
 } // namespace Thalweg
 

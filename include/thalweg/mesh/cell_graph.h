@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace Thalweg
@@ -75,6 +76,10 @@ namespace Thalweg
       dealii::types::subdomain_id owner;
       /// The place among all cells of all ranks; each rank's are consecutive.
       dealii::types::global_cell_index global_index;
+
+      /// The lengths of the shortest and the longest edge, m.
+      std::pair<double, double>
+      edges() const;
     };
 
     using CellIterator =

@@ -94,8 +94,7 @@ namespace Thalweg
             {
               const unsigned char level = levels.maximum - levels_below[b];
               if (wishes.at_least[c] < level &&
-                  is_in_band(
-                    interface, graph.iterator(c), levels, level, widths[b]))
+                  is_in_band(interface, graph, c, levels, level, widths[b]))
                 wishes.at_least[c] = level;
             }
       }
@@ -113,9 +112,8 @@ namespace Thalweg
         const int                 level = levels.maximum - levels_below[0];
         bool                      is_violated = false;
         for (unsigned int c = 0; c < graph.n_owned_cells() && !is_violated; ++c)
-          is_violated =
-            graph.iterator(c)->level() < level &&
-            is_in_band(interface, graph.iterator(c), levels, level, margin);
+          is_violated = graph.iterator(c)->level() < level &&
+                        is_in_band(interface, graph, c, levels, level, margin);
         return dealii::Utilities::MPI::logical_or(
           is_violated, solution.mesh.triangulation().get_communicator());
       }
@@ -136,18 +134,20 @@ namespace Thalweg
        * parent would be refined again, its children may not vanish into it.
        */
       static bool
-      is_in_band(const SweptInterface<dim>                   &interface,
-                 const typename CellGraph<dim>::CellIterator &active_cell,
-                 const LevelRange                            &levels,
-                 const int                                    level,
-                 const double                                 width)
+      is_in_band(const SweptInterface<dim> &interface,
+                 const CellGraph<dim>      &graph,
+                 const unsigned int         c,
+                 const LevelRange          &levels,
+                 const int                  level,
+                 const double               width)
       {
-        typename dealii::Triangulation<dim>::cell_iterator cell = active_cell;
+        typename dealii::Triangulation<dim>::cell_iterator cell =
+          graph.iterator(c);
         if (cell->level() == level && level > 0)
           cell = cell->parent();
         return interface.is_near(cell->bounding_box(),
                                  (width + round_off) *
-                                   edge_on_level<dim>(cell, levels.maximum));
+                                   edge_on_level(graph, c, levels.maximum));
       }
 
 

@@ -2,12 +2,14 @@
 
 from math import pi
 
-from single_fluid import (ONCE, PATHS, SPACES, boxes, errors, last_error,
+from single_fluid import (METHOD, ONCE, PATHS, SPACES, boxes, errors, last_error,
                           steps, with_orders)
 from thalweg import REFERENCE, column, finished, read_rows
 
 COURANT = (.25, .5, 1., 2., 5., 10., 20.)
 REYNOLDS = (100, 1000)
+# Courant numbers of finer and finer meshes, the large one with equal steps.
+MESH_COURANT = ((.5, {}), (4., {METHOD + "Corrector iterations": 1}))
 
 
 def settings(reynolds):
@@ -25,7 +27,7 @@ def start(runner, reynolds, space, n, n_steps, more={}):
     """One run on n by n cells until t = 1 s, one turnover."""
     return runner.start(
         "taylor_green", f"taylor_green_{reynolds}_{space}_{n}_{n_steps}"
-        + "_once" * bool(more),
+        + "_with" * bool(more),
         {**settings(reynolds), **SPACES[space], **PATHS, **boxes(n),
          **steps(n_steps, 1.), **more}, 1800)
 
@@ -36,31 +38,32 @@ def energy(output):
 
 
 def against_mesh(runner, report, reduced):
-    """Errors on finer and finer meshes, with a time step that is a fixed part
-    of the cells' size and so small that it does not matter."""
+    """Errors on finer and finer meshes, with time steps that are a fixed part
+    of the cells' size: so small that they do not matter, and large ones."""
     meshes = (8, 16) if reduced else (16, 32, 64, 128)
     spaces = ("Q2-Q2",) if reduced else SPACES
-    runs = {(re, space, n): start(runner, re, space, n, 2 * n)
+    runs = {(re, space, c, n): start(runner, re, space, n, round(n / c), more)
             for re in (REYNOLDS[:1] if reduced else REYNOLDS)
-            for space in spaces for n in meshes}
+            for space in spaces
+            for c, more in MESH_COURANT[:1 if reduced else 2] for n in meshes}
     found = {key: last_error(output)
              for key, output in finished(report, runs)}
     rows = []
-    for re, space in sorted({key[:2] for key in found}):
-        points = [(1 / n, found[re, space, n]) for n in meshes
-                  if (re, space, n) in found]
-        table = with_orders(points)
-        rows += [[re, space, round(1 / h), e, o] for h, e, o in table]
-        report.at_least(f"Taylor-Green, Re {re}, {space}: the order in h",
-                        table[-1][2] or 0., 1.9)
+    for re, space, c in sorted({key[:3] for key in found}):
+        table = with_orders([(1 / n, found[re, space, c, n]) for n in meshes
+                             if (re, space, c, n) in found])
+        rows += [[re, space, c, round(1 / h), e, o] for h, e, o in table]
+        report.at_least(f"Taylor-Green, Re {re}, {space}, Courant {c:g}: the "
+                        "order in h", table[-1][2] or 0., 1.9)
     report.table("taylor_green_mesh",
-                 "Taylor-Green vortices: error at t = 1 s, Courant number 0.5",
-                 ["Re", "spaces", "cells a side", "relative error", "order"],
-                 rows)
+                 "Taylor-Green vortices: error at t = 1 s",
+                 ["Re", "spaces", "Courant number", "cells a side",
+                  "relative error", "order"], rows)
     report.plot("taylor_green_mesh", [
-        (f"Re {re}, {space}", [r[2] for r in rows if r[:2] == [re, space]],
-         [r[3] for r in rows if r[:2] == [re, space]], "o-")
-        for re, space in sorted({(r[0], r[1]) for r in rows})],
+        (f"Re {re}, {space}, Courant {c:g}",
+         [r[3] for r in rows if r[:3] == [re, space, c]],
+         [r[4] for r in rows if r[:3] == [re, space, c]], "o-")
+        for re, space, c in sorted({(r[0], r[1], r[2]) for r in rows})],
         "cells a side", "relative error", "log")
 
 
@@ -162,8 +165,9 @@ def breakdown(runner, report):
     for (n, k), output in finished(report, runs):
         t = column(read_rows(output / "velocity_error.csv"), "time [s]")
         e = errors(output, "relative kinetic energy")
+        # The first row is the interpolant's energy, 1.9 % below on 32^3.
         largest = max(abs(a - interpolate(t_exact, e_exact, s))
-                      for s, a in zip(t, e))
+                      for s, a in list(zip(t, e))[1:])
         rows.append([n, k, 10. / k * n / (2 * pi), largest, output.cpu_time])
         curves.append((f"{n}^3 cells, {k} steps", t, e, "o"))
     report.table("taylor_green_3d",

@@ -157,8 +157,8 @@ TEST(PressureStabilizationMpi, DampsOscillations)
   const double nu = .01, dt = .1;
   for (const std::string name : {"none", "oss", "fic"})
     {
-      StepScene<2>       scene(unit_box<2>(8, "0", all_periodic), 1, 1, nu);
-      const auto         model = stabilization<2>(name);
+      StepScene<2> scene(unit_box<2>(8, "0", all_periodic), 1, 1, nu);
+      const auto   model          = stabilization<2>(name);
       scene.parameters.iterations = 1; // each damps by the same factor
       IncrementalStep<2> step(scene.context,
                               scene.operators,

@@ -25,9 +25,10 @@ def settings(reynolds):
 
 def start(runner, reynolds, space, n, n_steps, more={}):
     """One run on n by n cells until t = 1 s, one turnover."""
+    names = [f"{key.rsplit('/')[-1]} {value}" for key, value in more.items()]
     return runner.start(
-        "taylor_green", f"taylor_green_{reynolds}_{space}_{n}_{n_steps}"
-        + "_with" * bool(more),
+        "taylor_green", "_".join(["taylor_green", str(reynolds), space, str(n),
+                                  str(n_steps), *names]).replace(" ", "_"),
         {**settings(reynolds), **SPACES[space], **PATHS, **boxes(n),
          **steps(n_steps, 1.), **more}, 1800)
 
@@ -49,7 +50,8 @@ def against_mesh(runner, report, reduced):
     found = {key: last_error(output)
              for key, output in finished(report, runs)}
     rows = []
-    for re, space, c in sorted({key[:3] for key in found}):
+    curves = sorted({key[:3] for key in found})
+    for re, space, c in curves:
         table = with_orders([(1 / n, found[re, space, c, n]) for n in meshes
                              if (re, space, c, n) in found])
         rows += [[re, space, c, round(1 / h), e, o] for h, e, o in table]
@@ -63,7 +65,7 @@ def against_mesh(runner, report, reduced):
         (f"Re {re}, {space}, Courant {c:g}",
          [r[3] for r in rows if r[:3] == [re, space, c]],
          [r[4] for r in rows if r[:3] == [re, space, c]], "o-")
-        for re, space, c in sorted({(r[0], r[1], r[2]) for r in rows})],
+        for re, space, c in curves],
         "cells a side", "relative error", "log")
 
 
@@ -167,7 +169,7 @@ def breakdown(runner, report):
         e = errors(output, "relative kinetic energy")
         # The first row is the interpolant's energy, 1.9 % below on 32^3.
         largest = max(abs(a - interpolate(t_exact, e_exact, s))
-                      for s, a in list(zip(t, e))[1:])
+                      for s, a in zip(t[1:], e[1:]))
         rows.append([n, k, 10. / k * n / (2 * pi), largest, output.cpu_time])
         curves.append((f"{n}^3 cells, {k} steps", t, e, "o"))
     report.table("taylor_green_3d",

@@ -68,26 +68,32 @@ namespace Thalweg
                                const double  dt,
                                Vector       &smoothed)
   {
-    load = 0.;
-    operators.mass.add_product(g, load, dim, 1.);
-    operators.velocity_space.fold(load, dim);
+    update_implicit(dt);
     smoothed.zero_out_ghost_values();
     smoothed.copy_locally_owned_data_from(g);
-    update_implicit(dt);
-    solve(*implicit, smoothed, "smooth viscous acceleration");
+    smooth_once(g, smoothed);
 
     // The same for what this has taken away.
     change.zero_out_ghost_values();
     change.copy_locally_owned_data_from(g);
     change.add(-1., smoothed);
     operators.velocity_space.interpolate(change, dim);
-    load = 0.;
-    operators.mass.add_product(change, load, dim, 1.);
-    operators.velocity_space.fold(load, dim);
-    solve(*implicit, change, "smooth viscous acceleration");
+    smooth_once(change, change);
     smoothed.zero_out_ghost_values();
     smoothed.add(1., change);
     operators.velocity_space.interpolate(smoothed, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  IncrementalStep<dim>::smooth_once(const Vector &field, Vector &smoothed)
+  {
+    load = 0.;
+    operators.mass.add_product(field, load, dim, 1.);
+    operators.velocity_space.fold(load, dim);
+    solve(*implicit, smoothed, "smooth viscous acceleration");
   }
 
 
@@ -168,10 +174,6 @@ namespace Thalweg
   template void
   IncrementalStep<3>::viscous_acceleration(const Vector &, Vector &);
   template void
-  IncrementalStep<2>::extend_to_boundary(Vector &);
-  template void
-  IncrementalStep<3>::extend_to_boundary(Vector &);
-  template void
   IncrementalStep<2>::pressure_acceleration(const Vector &, Vector &);
   template void
   IncrementalStep<3>::pressure_acceleration(const Vector &, Vector &);
@@ -189,12 +191,4 @@ namespace Thalweg
                                     const Vector &,
                                     const Vector &,
                                     Vector &);
-  template void
-  IncrementalStep<2>::sharpen_pressure(double, Vector &);
-  template void
-  IncrementalStep<3>::sharpen_pressure(double, Vector &);
-  template void
-  IncrementalStep<2>::add_to_pressure(double, Vector &);
-  template void
-  IncrementalStep<3>::add_to_pressure(double, Vector &);
 } // namespace Thalweg

@@ -165,7 +165,7 @@ TEST(FindPressureMpi2d, LinearElementsAreOfFourthOrderInsideUniformMeshes)
   const auto coarse = errors(16), fine = errors(32);
   for (unsigned int i = 0; i < 2; ++i)
     EXPECT_GT(std::log2(coarse[i] / fine[i]), 3.8) << i;
-  // The difference is 0.8 % without the correction.
+  // The difference is 1 % without the correction.
   EXPECT_LT(fine[1], 1e-3 * pi);
 }
 

@@ -122,6 +122,10 @@ namespace Thalweg
     void
     extend_to_boundary(Vector &g);
 
+    /// smoothed = S field, from a guess; both may be the same vector.
+    void
+    smooth_once(const Vector &field, Vector &smoothed);
+
     /// Corrects the pressure by what its nodal gradient misses.
     void
     sharpen_pressure(const double tolerance, Vector &pressure);

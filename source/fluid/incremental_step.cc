@@ -43,6 +43,7 @@ namespace Thalweg
     , extension(operators.velocity_space, boundary)
     , poisson(operators, boundary)
     , convection(operators)
+    , stokes(operators, boundary, kinematic_viscosity)
   {
     for (Vector *vector : {&load, &change})
       operators.velocity_space.initialize(*vector, dim);

@@ -102,6 +102,7 @@ namespace Thalweg
   void
   IncrementalStep<dim>::find_pressure(const Vector &velocity,
                                       const Vector &forces,
+                                      const Vector &viscous,
                                       const Vector &boundary_acceleration,
                                       Vector       &pressure)
   {
@@ -118,6 +119,7 @@ namespace Thalweg
     // <q, n . w> = (grad q, w) + (q, div w)
     operators.add_weak_gradient(boundary_acceleration, pressure_load, -1.);
     operators.add_divergence(boundary_acceleration, pressure_load, 1.);
+    stokes.add(velocity, viscous, pressure_load);
     P.fold(pressure_load, 1);
     const double tolerance =
       parameters.pressure_tolerance * pressure_load.l2_norm();
@@ -185,9 +187,11 @@ namespace Thalweg
   IncrementalStep<2>::find_pressure(const Vector &,
                                     const Vector &,
                                     const Vector &,
+                                    const Vector &,
                                     Vector &);
   template void
   IncrementalStep<3>::find_pressure(const Vector &,
+                                    const Vector &,
                                     const Vector &,
                                     const Vector &,
                                     Vector &);

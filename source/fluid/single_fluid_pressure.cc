@@ -65,16 +65,13 @@ namespace Thalweg
     velocity_space->interpolate(boundary_acceleration, dim);
 
     copy_owned(force, body_force);
-    force.add(1., g);
     velocity_space->interpolate(force, dim);
     conditions.set_time(at);
     result.zero_out_ghost_values();
     explicit_boundary->apply_open(result, 1. / fluid.density);
     explicit_space->interpolate(result, 1);
-    explicit_step->find_pressure(velocity,
-                                 force,
-                                 boundary_acceleration,
-                                 result);
+    explicit_step->find_pressure(
+      velocity, force, g, boundary_acceleration, result);
     conditions.set_time(time + dt);
   }
 

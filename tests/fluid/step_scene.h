@@ -57,15 +57,25 @@ namespace Steps
       return vector;
     }
 
-    /// The pressure of @p velocity under @p force, from zero.
+    /// The pressure of @p velocity under @p forces and friction, from zero.
     Vector
     pressure_of(const Vector &velocity, const Vector &forces) const
     {
       Vector pressure = this->empty_pressure();
       this->flow_boundary.apply_open(pressure, 1.);
       this->P.interpolate(pressure, 1);
-      step->find_pressure(velocity, forces, no_velocity(), pressure);
+      step->find_pressure(
+        velocity, forces, friction_of(velocity), no_velocity(), pressure);
       return pressure;
+    }
+
+    /// The viscous acceleration.
+    Vector
+    friction_of(const Vector &velocity) const
+    {
+      Vector g = no_velocity();
+      step->viscous_acceleration(velocity, g);
+      return g;
     }
 
     /// The greatest difference from a function at all nodes of the pressure,

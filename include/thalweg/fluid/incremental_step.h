@@ -9,6 +9,7 @@
 #include <thalweg/fluid/flow_operators.h>
 #include <thalweg/fluid/pressure_poisson.h>
 #include <thalweg/fluid/single_fluid_flow_parameters.h>
+#include <thalweg/fluid/stokes_pressure.h>
 #include <thalweg/materials/fluids.h>
 
 #include <memory>
@@ -63,15 +64,18 @@ namespace Thalweg
      * @brief The pressure that belongs to a velocity field: that with which
      * its material acceleration keeps it free of divergence,
      *
-     * (grad q, grad p) = (grad q, forces - c) - <q, n . dV_D/dt>,
+     * (grad q, grad p) = (grad q, forces - c) - nu <grad q, n x rot V>
+     *                    - <q, n . dV_D/dt>,
      *
-     * where M c = (N, V . grad V). Elements of degree 1 damp waves by the
+     * where M c = (N, V . grad V), and friction is that of StokesPressure.
+     * Elements of degree 1 damp waves by the
      * square of the cells' size in this equation and in the gradient; what the
      * gradient pi of p misses, (grad q, grad p - pi), corrects p once, and the
      * gradient is of fourth order inside uniform meshes.
      *
      * @param velocity ghosted
-     * @param forces body and viscous forces, m/s^2, ghosted
+     * @param forces body forces, m/s^2, ghosted
+     * @param viscous the viscous acceleration, m/s^2, ghosted
      * @param boundary_acceleration nodal, where the velocity is given, else
      *   zero; ghosted
      * @param pressure in: its values at open boundaries, and a guess; out:
@@ -81,6 +85,7 @@ namespace Thalweg
     void
     find_pressure(const Vector &velocity,
                   const Vector &forces,
+                  const Vector &viscous,
                   const Vector &boundary_acceleration,
                   Vector       &pressure);
 
@@ -175,6 +180,7 @@ namespace Thalweg
     Vector                               lumped_mass; ///< M 1
     PressurePoisson<dim>                 poisson;
     ConvectiveTerm<dim>                  convection;
+    StokesPressure<dim>                  stokes;
     double                               implicit_dt = -1.;
     CellOperator<dim>                    implicit_matrix;
     std::unique_ptr<OperatorSolver<dim>> implicit;

@@ -1,0 +1,96 @@
+#include <thalweg/fluid/wall_friction.h>
+
+#include "step_scene.h"
+#include "support/dimensions.h"
+#include "support/meshes.h"
+
+using namespace Steps;
+
+namespace
+{
+  template <typename T>
+  class WallFrictionMpi : public testing::Test
+  {};
+  TYPED_TEST_SUITE(WallFrictionMpi, Dimensions);
+
+
+  constexpr double nu = .3;
+
+
+  /// The greatest difference of nu du/dn from a function at the nodes of faces
+  /// whose outward normal is -y or x.
+  template <int dim>
+  double
+  error(const StepScene<dim>              &scene,
+        const typename Scene<dim>::Field  &flow,
+        const typename Scene<dim>::Scalar &at_bottom,
+        const typename Scene<dim>::Scalar &at_right)
+  {
+    WallFriction<dim> friction(scene.operators, scene.flow_boundary, nu);
+    const Vector      u       = scene.flow_velocity(flow);
+    const auto       &found   = friction.find(u, scene.friction_of(u));
+    double            largest = 0;
+    const double     *value   = found.data();
+    for (const auto &face : friction.faces())
+      {
+        const auto &cell =
+          scene.V.mesh().graph().iterator(face.cell)->face(face.face_no);
+        for (unsigned int k = 0; k < face.nodes.size(); ++k, value += dim)
+          for (const auto &[at, side] :
+               {std::make_pair(&at_bottom, cell->center()[1] < 1e-9),
+                std::make_pair(&at_right, cell->center()[0] > 1. - 1e-9)})
+            if (side && k < cell->n_vertices())
+              largest =
+                std::max(largest, std::abs(value[0] - (*at)(cell->vertex(k))));
+      }
+    return max_of_all(largest);
+  }
+} // namespace
+
+
+
+TYPED_TEST(WallFrictionMpi, QuadraticVelocitiesHaveTheirs)
+{
+  constexpr int dim = TypeParam::value;
+  for (const unsigned int degree : {1u, 2u})
+    {
+      const StepScene<dim> scene(unit_box<dim>(4) + given_ends<dim>(),
+                                 degree,
+                                 degree,
+                                 nu);
+      EXPECT_LT(error<dim>(
+                  scene,
+                  poiseuille<dim>,
+                  [](const auto &) { return -nu; },
+                  [](const auto &) { return 0.; }),
+                1e-9)
+        << degree;
+    }
+}
+
+
+
+TYPED_TEST(WallFrictionMpi, SecondOrder)
+{
+  constexpr int dim     = TypeParam::value;
+  const auto    largest = [](const unsigned int n) {
+    const StepScene<dim> scene(unit_box<dim>(n) +
+                                 section("Boundary conditions",
+                                         {"No slip = bottom, right, top"}),
+                               1,
+                               1,
+                               nu);
+    return error<dim>(
+      scene,
+      [](const auto &p) {
+        dealii::Tensor<1, dim> u;
+        u[0] = std::exp(p[1]) * std::cos(p[0]);
+        return u;
+      },
+      [](const auto &p) { return -nu * std::cos(p[0]); },
+      [](const auto &p) { return -nu * std::exp(p[1]) * std::sin(1.); });
+  };
+  const unsigned int n      = dim == 2 ? 16 : 6;
+  const double       coarse = largest(n), fine = largest(2 * n);
+  EXPECT_GT(std::log2(coarse / fine), 1.8);
+}

@@ -168,12 +168,49 @@ namespace Thalweg
 
   template <int dim>
   void
+  IncrementalStep<dim>::subtract_gradient(Vector &velocity)
+  {
+    load = 0.;
+    operators.add_gradient(increment, load, -1.);
+    operators.velocity_space.fold(load, dim);
+    change.zero_out_ghost_values();
+    change = 0.;
+    solve(fixed_mass, change, "velocity correction"); // (81d)
+    velocity.zero_out_ghost_values();
+    velocity.add(1., change);
+    operators.velocity_space.interpolate(velocity, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  IncrementalStep<dim>::remove_divergence(Vector &velocity)
+  {
+    dealii::TimerOutput::Scope scope(context.timers, "pressure");
+    divergence = 0.;
+    operators.add_divergence(velocity, divergence, 1.);
+    operators.pressure_space.fold(divergence, 1);
+    std::fill(factors.begin(), factors.end(), 1.);
+    const SolveReport report =
+      poisson.solve(increment,
+                    divergence,
+                    factors,
+                    parameters.pressure_tolerance * divergence.l2_norm(),
+                    parameters.maximal_cg_iterations);
+    context.statistics.add("pressure iterations", report.iterations);
+    subtract_gradient(velocity);
+  }
+
+
+
+  template <int dim>
+  void
   IncrementalStep<dim>::correct(const Explicit &given,
                                 const double    dt,
                                 Vector         &velocity,
                                 Vector         &pressure)
   {
-    const auto &V = operators.velocity_space;
     const auto &P = operators.pressure_space;
 
     divergence = 0.;
@@ -200,15 +237,7 @@ namespace Thalweg
     context.statistics.add("pressure iterations", report.iterations);
     context.statistics.set("pressure residual", report.residual);
 
-    load = 0.;
-    operators.add_gradient(increment, load, -1.);
-    V.fold(load, dim);
-    change.zero_out_ghost_values();
-    change = 0.;
-    solve(fixed_mass, change, "velocity correction"); // (81d)
-    velocity.zero_out_ghost_values();
-    velocity.add(1., change);
-    V.interpolate(velocity, dim);
+    subtract_gradient(velocity);
 
     pressure.zero_out_ghost_values();
     pressure.add(1. / dt, increment);

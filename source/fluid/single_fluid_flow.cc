@@ -245,6 +245,8 @@ namespace Thalweg
                 dt,
                 end_velocity,
                 new_pressure);
+    if (own_explicit_step)
+      own_explicit_step->remove_divergence(end_velocity);
     has_solution = true;
     find_prediction_error(predicted);
     if (is_consistent())

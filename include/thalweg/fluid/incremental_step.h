@@ -117,6 +117,15 @@ namespace Thalweg
           Vector         &velocity,
           Vector         &pressure);
 
+    /**
+     * @brief Takes from a velocity the gradient that holds its divergence, as
+     * far as the pressures of the operators see it. Pressures do not change.
+     * @param velocity ghosted
+     * @throws SolverFailure
+     */
+    void
+    remove_divergence(Vector &velocity);
+
   private:
     /// Makes M + theta nu dt K anew when dt has changed.
     void
@@ -158,6 +167,10 @@ namespace Thalweg
             const double    dt,
             const Vector   &pressure,
             Vector         &velocity);
+
+    /// velocity -= M^{-1} G increment
+    void
+    subtract_gradient(Vector &velocity);
 
     void
     correct(const Explicit &given,

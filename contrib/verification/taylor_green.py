@@ -8,9 +8,9 @@ from thalweg import REFERENCE, column, finished, read_rows
 
 COURANT = (.25, .5, 1., 2., 5., 10., 20.)
 REYNOLDS = (100, 1000)
-# Courant numbers of finer and finer meshes, the large one with equal steps.
 # All steps made alike, and as exactly as those whose prediction failed.
 TWICE = {METHOD + "Corrector iterations": 1}
+# Courant numbers of finer and finer meshes, the large one with equal steps.
 MESH_COURANT = ((.5, {}), (4., TWICE))
 
 

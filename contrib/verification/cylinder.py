@@ -4,6 +4,7 @@ from single_fluid import SPACES, TAYLOR_HOOD
 from thalweg import (REFERENCE, column, finished, read_rows,
                      steps_and_courant)
 
+ALL_SPACES = {**SPACES, **TAYLOR_HOOD}
 # The global levels of three meshes; runs on the finest take ten minutes at most.
 MESHES = {"2D-1": {"Q1-Q1": (2, 3, 4), "Q2-Q2": (1, 2, 3),
                    "Q2-Q1": (1, 2, 3)},
@@ -77,7 +78,7 @@ def study(runner, report, name, reduced):
         keys = [("Q1-Q1", 2, of_mesh), ("Q2-Q1", 1, of_mesh)]
     runs = {(space, m, c): runner.start(
         case, f"{case}_{space}_{m}_{c:g}",
-        {**{**SPACES, **TAYLOR_HOOD}[space], "Refinement/Global levels": m,
+        {**ALL_SPACES[space], "Refinement/Global levels": m,
          "Time/Courant number": c,
          "Postprocess/Models": "body forces, point probes"}, 3600)
         for space, m, c in keys}

@@ -23,6 +23,11 @@ def label(name):
     return name.replace(", ", "_").replace(" ", "_")
 
 
+def cells(name, n):
+    """The mesh of a flow with N rows."""
+    return boxes(1 if name == ALONE else round(FLOWS[name][1] * n), n)
+
+
 def worst(output, case):
     """The error: at the end, for oscillating flow over the last period."""
     if case != "womersley":
@@ -40,13 +45,12 @@ def against_mesh(runner, report, reduced):
     runs = {}
     for name, numbers in meshes.items():
         case = name.split(",")[0]
-        end, aspect, rate = FLOWS[case]
+        end, _, rate = FLOWS[case]
         for space in spaces:
             for n in numbers:
                 runs[name, space, n] = runner.start(
                     case, f"{label(name)}_{space}_{n}",
-                    {**SPACES[space], **ONCE, **PATHS,
-                     **boxes(1 if name == ALONE else round(aspect * n), n),
+                    {**SPACES[space], **ONCE, **PATHS, **cells(name, n),
                      **steps(rate * n, end), **EXACT_START.get(case, {}),
                      "Postprocess/Models": "velocity error"})
     found = {key: worst(output, key[0])
@@ -72,12 +76,11 @@ def against_step(runner, report):
     runs = {}
     for name in cases:
         case = name.split(",")[0]
-        end, aspect, _ = FLOWS[case]
+        end = FLOWS[case][0]
         for k in numbers:
             runs[name, k] = runner.start(
                 case, f"{label(name)}_step_{k}",
-                {**SPACES["Q2-Q2"], **ONCE,
-                 **boxes(1 if name == ALONE else round(32 * aspect), 32),
+                {**SPACES["Q2-Q2"], **ONCE, **cells(name, 32),
                  **steps(k, end), "Postprocess/Models": "velocity error"})
     found = {key: worst(output, key[0])
              for key, output in finished(report, runs)}

@@ -167,6 +167,33 @@ namespace Thalweg
 
 
   template <int dim>
+  SolveReport
+  IncrementalStep<dim>::solve_poisson(Vector      &right_hand_side,
+                                      const double tolerance)
+  {
+    const SolveReport report = poisson.solve(increment,
+                                             right_hand_side,
+                                             factors,
+                                             tolerance,
+                                             parameters.maximal_cg_iterations);
+    context.statistics.add("pressure iterations", report.iterations);
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  IncrementalStep<dim>::find_divergence(const Vector &velocity)
+  {
+    divergence = 0.;
+    operators.add_divergence(velocity, divergence, 1.);
+    operators.pressure_space.fold(divergence, 1);
+  }
+
+
+
+  template <int dim>
   void
   IncrementalStep<dim>::subtract_gradient(Vector &velocity)
   {
@@ -188,17 +215,10 @@ namespace Thalweg
   IncrementalStep<dim>::remove_divergence(Vector &velocity)
   {
     dealii::TimerOutput::Scope scope(context.timers, "pressure");
-    divergence = 0.;
-    operators.add_divergence(velocity, divergence, 1.);
-    operators.pressure_space.fold(divergence, 1);
+    find_divergence(velocity);
     std::fill(factors.begin(), factors.end(), 1.);
-    const SolveReport report =
-      poisson.solve(increment,
-                    divergence,
-                    factors,
-                    parameters.pressure_tolerance * divergence.l2_norm(),
-                    parameters.maximal_cg_iterations);
-    context.statistics.add("pressure iterations", report.iterations);
+    solve_poisson(divergence,
+                  parameters.pressure_tolerance * divergence.l2_norm());
     subtract_gradient(velocity);
   }
 
@@ -213,9 +233,7 @@ namespace Thalweg
   {
     const auto &P = operators.pressure_space;
 
-    divergence = 0.;
-    operators.add_divergence(velocity, divergence, 1.);
-    P.fold(divergence, 1);
+    find_divergence(velocity);
     pressure_load = divergence;
     if (is_stabilized)
       {
@@ -229,12 +247,9 @@ namespace Thalweg
         P.fold(pressure_load, 1);
       }
     const SolveReport report =
-      poisson.solve(increment,
-                    pressure_load,
-                    factors,
-                    parameters.pressure_tolerance * pressure_load.l2_norm(),
-                    parameters.maximal_cg_iterations); // (81c)
-    context.statistics.add("pressure iterations", report.iterations);
+      solve_poisson(pressure_load,
+                    parameters.pressure_tolerance *
+                      pressure_load.l2_norm()); // (81c)
     context.statistics.set("pressure residual", report.residual);
 
     subtract_gradient(velocity);

@@ -158,12 +158,7 @@ namespace Thalweg
                                         Vector      &pressure)
   {
     std::fill(factors.begin(), factors.end(), 1.);
-    const SolveReport report = poisson.solve(increment,
-                                             pressure_load,
-                                             factors,
-                                             tolerance,
-                                             parameters.maximal_cg_iterations);
-    context.statistics.add("pressure iterations", report.iterations);
+    solve_poisson(pressure_load, tolerance);
     pressure.zero_out_ghost_values();
     pressure.add(1., increment);
     operators.pressure_space.interpolate(pressure, 1);

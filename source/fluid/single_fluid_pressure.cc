@@ -64,14 +64,12 @@ namespace Thalweg
     boundary_acceleration *= .5 / tick;
     velocity_space->interpolate(boundary_acceleration, dim);
 
-    copy_owned(force, body_force);
-    velocity_space->interpolate(force, dim);
     conditions.set_time(at);
     result.zero_out_ghost_values();
     explicit_boundary->apply_open(result, 1. / fluid.density);
     explicit_space->interpolate(result, 1);
     explicit_step->find_pressure(
-      velocity, force, g, boundary_acceleration, result);
+      velocity, body_force, g, boundary_acceleration, result);
     conditions.set_time(time + dt);
   }
 

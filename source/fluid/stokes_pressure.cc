@@ -42,7 +42,6 @@ namespace Thalweg
                                P.scalar().get_fe(),
                                gauss,
                                update_gradients);
-    auto                  next = friction.faces().begin();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
         {
@@ -51,14 +50,9 @@ namespace Thalweg
           const auto &cell = graph.iterator(c);
           velocity.reinit(Compat::on_dof_handler(cell, V.scalar()), f);
           pressure.reinit(Compat::on_dof_handler(cell, P.scalar()), f);
-          Face       face{c, {}, {}};
-          const bool has_friction = next != friction.faces().end() &&
-                                    next->cell == c && next->face_no == f;
-          if (has_friction)
-            {
-              add_friction(velocity, pressure, f, face);
-              ++next;
-            }
+          Face face{c, {}, {}};
+          if (is_sticking_face(graph, boundary.conditions(), c, f))
+            add_friction(velocity, pressure, f, face);
           add_velocity(velocity, pressure, face);
           faces.push_back(std::move(face));
         }

@@ -30,7 +30,7 @@ namespace Thalweg
     V.initialize(is_corner, 1);
     V.initialize(missing, dim);
     collect_faces(boundary);
-    find_corners();
+    find_corners(boundary);
     on_faces.resize(dim * V.scalar().get_fe().n_dofs_per_face() *
                     faces_.size());
   }
@@ -74,7 +74,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  WallFriction<dim>::find_corners()
+  WallFriction<dim>::find_corners(const FlowBoundary<dim> &boundary)
   {
     using namespace dealii;
     const auto           &V  = operators.velocity_space;
@@ -107,7 +107,7 @@ namespace Thalweg
       }
     V.fold(area, dim);
     V.fold(normals, dim);
-    mark_other_faces();
+    mark_other_faces(boundary);
     for (unsigned int n = 0; n < V.n_owned_nodes(); ++n)
       {
         Tensor<1, dim> sum;
@@ -123,17 +123,15 @@ namespace Thalweg
 
   template <int dim>
   void
-  WallFriction<dim>::mark_other_faces()
+  WallFriction<dim>::mark_other_faces(const FlowBoundary<dim> &boundary)
   {
     const auto &V     = operators.velocity_space;
     const auto &fe    = V.scalar().get_fe();
     const auto &graph = V.mesh().graph();
-    auto        next  = faces_.begin();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
-        if (next != faces_.end() && next->cell == c && next->face_no == f)
-          ++next;
-        else if (graph.at_boundary(c, f))
+        if (graph.at_boundary(c, f) &&
+            !is_sticking_face(graph, boundary.conditions(), c, f))
           for (unsigned int k = 0; k < fe.n_dofs_per_face(); ++k)
             is_corner.local_element(
               V.nodes(c)[V.lexicographic()[fe.face_to_cell_index(k, f)]]) = 1.;

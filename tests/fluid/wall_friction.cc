@@ -2,7 +2,6 @@
 
 #include "step_scene.h"
 #include "support/dimensions.h"
-#include "support/meshes.h"
 
 using namespace Steps;
 

@@ -102,6 +102,22 @@ namespace Thalweg
     std::vector<OpenNode>               open;
   };
 
+  /// Whether an owned cell's face is at a boundary where the velocity is given
+  /// or zero.
+  template <int dim>
+  bool
+  is_sticking_face(const CellGraph<dim>          &graph,
+                   const BoundaryConditions<dim> &conditions,
+                   const unsigned int             cell,
+                   const unsigned int             face_no)
+  {
+    const auto &face = graph.cell(cell).faces[face_no];
+    if (face.behind != CellGraph<dim>::Behind::boundary)
+      return false;
+    const BoundaryKind kind = conditions.at(face.boundary_id).kind;
+    return kind == BoundaryKind::velocity || kind == BoundaryKind::no_slip;
+  }
+
   /// Calls @p visit(cell, face_no) for each face of an owned cell at a
   /// boundary where the velocity is given or zero.
   template <int dim, typename Visitor>
@@ -112,14 +128,8 @@ namespace Thalweg
   {
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
-        {
-          const auto &face = graph.cell(c).faces[f];
-          if (face.behind != CellGraph<dim>::Behind::boundary)
-            continue;
-          const BoundaryKind kind = conditions.at(face.boundary_id).kind;
-          if (kind == BoundaryKind::velocity || kind == BoundaryKind::no_slip)
-            visit(c, f);
-        }
+        if (is_sticking_face(graph, conditions, c, f))
+          visit(c, f);
   }
 } // namespace Thalweg
 

@@ -68,10 +68,10 @@ namespace Thalweg
      *                    - <q, n . dV_D/dt>,
      *
      * where M c = (N, V . grad V), and friction is that of StokesPressure.
-     * Elements of degree 1 damp waves by the
-     * square of the cells' size in this equation and in the gradient; what the
-     * gradient pi of p misses, (grad q, grad p - pi), corrects p once, and the
-     * gradient is of fourth order inside uniform meshes.
+     * Elements of degree 1 damp waves by the square of the cells' size in this
+     * equation and in the gradient; what the gradient pi of p misses, (grad q,
+     * grad p - pi), corrects p once, and the gradient is of fourth order inside
+     * uniform meshes.
      *
      * @param velocity ghosted
      * @param forces body forces, m/s^2, ghosted
@@ -167,6 +167,15 @@ namespace Thalweg
             const double    dt,
             const Vector   &pressure,
             Vector         &velocity);
+
+    /// increment = L^{-1} right_hand_side, where L has the factors of the
+    /// cells.
+    SolveReport
+    solve_poisson(Vector &right_hand_side, const double tolerance);
+
+    /// divergence = D velocity, folded.
+    void
+    find_divergence(const Vector &velocity);
 
     /// velocity -= M^{-1} G increment
     void

@@ -26,7 +26,7 @@ namespace Thalweg
   class StokesPressure
   {
   public:
-    /// @param operators and @p boundary must outlive the object
+    /// @param operators must outlive the object
     StokesPressure(const FlowOperators<dim> &operators,
                    const FlowBoundary<dim>  &boundary,
                    const double              kinematic_viscosity);

@@ -31,7 +31,7 @@ namespace Thalweg
       std::vector<double> slopes;
     };
 
-    /// @param operators and @p boundary must outlive the object
+    /// @param operators must outlive the object
     WallFriction(const FlowOperators<dim> &operators,
                  const FlowBoundary<dim>  &boundary,
                  const double              kinematic_viscosity);
@@ -58,12 +58,12 @@ namespace Thalweg
 
     /// Finds `area`, and `is_corner` by the mean of the normals of a node.
     void
-    find_corners();
+    find_corners(const FlowBoundary<dim> &boundary);
 
     /// The weak form knows of all boundaries: where those end at which the
     /// velocity is given, `is_corner` is 1.
     void
-    mark_other_faces();
+    mark_other_faces(const FlowBoundary<dim> &boundary);
 
     /// What the cells' gradients miss at nodes, over the area.
     void

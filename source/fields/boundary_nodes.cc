@@ -1,5 +1,5 @@
 #include <thalweg/fields/boundary_nodes.h>
-#include <thalweg/fields/q1_cell.h>
+#include <thalweg/fields/q1_simplices.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -25,6 +25,81 @@ namespace Thalweg
       return point.determinant *
              (point.covariant *
               dealii::GeometryInfo<dim>::unit_normal_vector[face_no]);
+    }
+
+
+
+    /// The points of a quadrature on a face, in the cell's coordinates, and
+    /// the outward normals times the weights.
+    template <int dim>
+    struct FacePoints
+    {
+      std::vector<dealii::Point<dim>>     reference;
+      std::vector<dealii::Tensor<1, dim>> normals;
+    };
+
+
+
+    template <int dim>
+    FacePoints<dim>
+    gauss_points(const typename CellGraph<dim>::Cell &cell,
+                 const unsigned int                   f)
+    {
+      const dealii::QGauss<dim - 1> gauss(2);
+      FacePoints<dim>               points;
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          dealii::Point<dim> xi;
+          xi[f / 2] = f % 2;
+          for (unsigned int d = 0, e = 0; d < dim; ++d)
+            if (d != f / 2)
+              xi[d] = gauss.point(q)[e++];
+          points.reference.push_back(xi);
+          points.normals.push_back(gauss.weight(q) *
+                                   weighted_normal<dim>(cell, f, xi));
+        }
+      return points;
+    }
+
+
+
+    /// The middles of the triangles that Q1::Division makes of the faces of
+    /// a hexahedron. A bilinear function has the same value in the middle as
+    /// one that is linear in the triangle.
+    FacePoints<3>
+    triangle_points(const CellGraph<3>::Cell &cell, const unsigned int f)
+    {
+      const auto   &corners = Q1::Division<3>::instance().face_vertices[f];
+      const auto   &x       = cell.vertices;
+      FacePoints<3> points;
+      for (unsigned int e = 0; e < 4; ++e)
+        {
+          const unsigned int   a = corners[e], b = corners[(e + 1) % 4];
+          dealii::Tensor<1, 3> to_center;
+          dealii::Point<3>     xi(.5, .5, .5);
+          for (unsigned int c = 0; c < 4; ++c)
+            to_center += .25 * (x[corners[c]] - x[a]);
+          for (unsigned int d = 0; d < 3; ++d)
+            if (((a >> d) & 1u) == ((b >> d) & 1u))
+              xi[d] = (a >> d) & 1u ? 5. / 6. : 1. / 6.;
+          xi[f / 2] = f % 2;
+          points.reference.push_back(xi);
+          points.normals.push_back((f % 2 ? .5 : -.5) *
+                                   cross_product_3d(x[b] - x[a], to_center));
+        }
+      return points;
+    }
+
+
+
+    template <int dim>
+    FacePoints<dim>
+    face_points(const typename CellGraph<dim>::Cell &cell, const unsigned int f)
+    {
+      if constexpr (dim == 3)
+        if (!Q1::is_parallelepiped<3>(cell))
+          return triangle_points(cell, f);
+      return gauss_points<dim>(cell, f);
     }
 
 
@@ -107,8 +182,7 @@ namespace Thalweg
   void
   BoundaryNodes<dim>::collect_faces()
   {
-    const CellGraph<dim>         &graph = space.mesh().graph();
-    const dealii::QGauss<dim - 1> gauss(2);
+    const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
         {
@@ -118,19 +192,12 @@ namespace Thalweg
           const BoundaryKind kind = conditions_.at(behind.boundary_id).kind;
           if (kind != BoundaryKind::open && kind != BoundaryKind::velocity)
             continue;
-          Face face{c, f, behind.boundary_id, {}, {}};
-          for (unsigned int q = 0; q < gauss.size(); ++q)
-            {
-              dealii::Point<dim> xi;
-              xi[f / 2] = f % 2;
-              for (unsigned int d = 0, e = 0; d < dim; ++d)
-                if (d != f / 2)
-                  xi[d] = gauss.point(q)[e++];
-              face.reference_points.push_back(xi);
-              face.normals_times_weight.push_back(
-                gauss.weight(q) * weighted_normal<dim>(graph.cell(c), f, xi));
-            }
-          faces.push_back(face);
+          auto points = face_points<dim>(graph.cell(c), f);
+          faces.push_back({c,
+                           f,
+                           behind.boundary_id,
+                           std::move(points.reference),
+                           std::move(points.normals)});
         }
   }
 

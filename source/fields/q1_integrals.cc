@@ -1,8 +1,35 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/q1_integrals.h>
+#include <thalweg/fields/q1_simplices.h>
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// Calls @p visit(values, gradients, weight) for the quadrature points of
+    /// a cell: Gauss points, or the middles of the simplices that a cell
+    /// which is no parallelepiped is divided into.
+    template <int dim, typename Visitor>
+    void
+    for_each_point(const Q1::Gauss<dim>                &gauss,
+                   const typename CellGraph<dim>::Cell &cell,
+                   const Visitor                       &visit)
+    {
+      if (!Q1::is_parallelepiped<dim>(cell))
+        Q1::SimplexShape<dim>(cell.vertices).for_each(visit);
+      else
+        for (unsigned int q = 0; q < gauss.n_points; ++q)
+          {
+            const auto point = gauss.evaluate(cell, q);
+            visit(point.values,
+                  point.gradients,
+                  gauss.weight * point.determinant);
+          }
+    }
+  } // namespace
+
+
+
   template <int dim>
   Q1Integrals<dim>::Q1Integrals()
     : divergence_table{}
@@ -39,17 +66,19 @@ namespace Thalweg
                 scale[d] * divergence_table[i][j][d] * velocity[dim * j + d];
         return;
       }
-    for (unsigned int q = 0; q < gauss.n_points; ++q)
-      {
-        const auto             point = gauss.evaluate(cell, q);
-        dealii::Tensor<1, dim> value;
-        for (unsigned int j = 0; j < n_vertices; ++j)
-          for (unsigned int d = 0; d < dim; ++d)
-            value[d] += point.values[j] * velocity[dim * j + d];
-        value *= gauss.weight * point.determinant;
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          result[i] += point.gradients[i] * value;
-      }
+    for_each_point<dim>(gauss,
+                        cell,
+                        [&](const auto  &values,
+                            const auto  &gradients,
+                            const double weight) {
+                          dealii::Tensor<1, dim> value;
+                          for (unsigned int j = 0; j < n_vertices; ++j)
+                            for (unsigned int d = 0; d < dim; ++d)
+                              value[d] += values[j] * velocity[dim * j + d];
+                          value *= weight;
+                          for (unsigned int i = 0; i < n_vertices; ++i)
+                            result[i] += gradients[i] * value;
+                        });
   }
 
 
@@ -70,17 +99,19 @@ namespace Thalweg
                 scale[d] * divergence_table[j][i][d] * pressure[j];
         return;
       }
-    for (unsigned int q = 0; q < gauss.n_points; ++q)
-      {
-        const auto             point = gauss.evaluate(cell, q);
-        dealii::Tensor<1, dim> gradient;
-        for (unsigned int j = 0; j < n_vertices; ++j)
-          gradient += pressure[j] * point.gradients[j];
-        gradient *= gauss.weight * point.determinant;
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            result[dim * i + d] += point.values[i] * gradient[d];
-      }
+    for_each_point<dim>(gauss,
+                        cell,
+                        [&](const auto  &values,
+                            const auto  &gradients,
+                            const double weight) {
+                          dealii::Tensor<1, dim> gradient;
+                          for (unsigned int j = 0; j < n_vertices; ++j)
+                            gradient += pressure[j] * gradients[j];
+                          gradient *= weight;
+                          for (unsigned int i = 0; i < n_vertices; ++i)
+                            for (unsigned int d = 0; d < dim; ++d)
+                              result[dim * i + d] += values[i] * gradient[d];
+                        });
   }
 
 
@@ -102,14 +133,14 @@ namespace Thalweg
             matrix[i][j] = scale * laplace_table[i][j];
         return matrix;
       }
-    for (unsigned int q = 0; q < gauss.n_points; ++q)
-      {
-        const auto point = gauss.evaluate(cell, q);
+    for_each_point<dim>(
+      gauss,
+      cell,
+      [&](const auto &, const auto &gradients, const double weight) {
         for (unsigned int i = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < n_vertices; ++j)
-            matrix[i][j] += gauss.weight * point.determinant *
-                            (point.gradients[i] * point.gradients[j]);
-      }
+            matrix[i][j] += weight * (gradients[i] * gradients[j]);
+      });
     return matrix;
   }
 
@@ -125,12 +156,11 @@ namespace Thalweg
         result.fill(cell.measure / n_vertices);
         return result;
       }
-    for (unsigned int q = 0; q < gauss.n_points; ++q)
-      {
-        const auto point = gauss.evaluate(cell, q);
+    for_each_point<dim>(
+      gauss, cell, [&](const auto &values, const auto &, const double weight) {
         for (unsigned int i = 0; i < n_vertices; ++i)
-          result[i] += gauss.weight * point.determinant * point.values[i];
-      }
+          result[i] += weight * values[i];
+      });
     return result;
   }
 
@@ -141,12 +171,14 @@ namespace Thalweg
   Q1Integrals<dim>::gradient_integrals(const Cell &cell) const
   {
     PerVertex<dealii::Tensor<1, dim>> result{};
-    for (unsigned int q = 0; q < gauss.n_points; ++q)
-      {
-        const auto point = gauss.evaluate(cell, q);
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          result[i] += gauss.weight * point.determinant * point.gradients[i];
-      }
+    for_each_point<dim>(gauss,
+                        cell,
+                        [&](const auto &,
+                            const auto  &gradients,
+                            const double weight) {
+                          for (unsigned int i = 0; i < n_vertices; ++i)
+                            result[i] += weight * gradients[i];
+                        });
     return result;
   }
 

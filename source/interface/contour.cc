@@ -1,7 +1,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/core/send_plain.h>
 #include <thalweg/fields/gather.h>
-#include <thalweg/fields/q1_cell.h>
+#include <thalweg/fields/q1_simplices.h>
 #include <thalweg/interface/contour.h>
 #include <thalweg/interface/simplex_cut.h>
 
@@ -12,20 +12,42 @@ namespace Thalweg
 {
   namespace
   {
-    /// Points where the level set vanishes on the edges of a simplex, in
-    /// circular order, in reference coordinates.
+    /// A point of the contour, and the faces of the cell that it lies on, bit
+    /// by bit.
     template <int dim>
-    std::vector<dealii::Point<dim>>
-    zeros(const SimplexCut::Simplex<dim> &simplex)
+    struct Zero
     {
-      const auto                     &phi = simplex.phi;
-      std::vector<dealii::Point<dim>> points;
+      dealii::Point<dim> position;
+      unsigned int       faces;
+    };
+
+
+
+    /// Points where the level set vanishes on the edges of simplex @p s, in
+    /// circular order.
+    template <int dim>
+    std::vector<Zero<dim>>
+    zeros(const ContourPatch<dim>        &patch,
+          const SimplexCut::Simplex<dim> &simplex,
+          const unsigned int              s)
+    {
+      const auto            &division = Q1::Division<dim>::instance();
+      const auto            &phi      = simplex.phi;
+      std::vector<Zero<dim>> points;
       for (unsigned int i = 0; i < dim + 1; ++i)
         for (unsigned int j = 0; j < dim + 1; ++j)
           if (phi[i] < 0 && phi[j] >= 0)
-            points.push_back(simplex.corners[i] +
-                             phi[i] / (phi[i] - phi[j]) *
-                               (simplex.corners[j] - simplex.corners[i]));
+            {
+              const auto edge = simplex.corners[j] - simplex.corners[i];
+              Zero<dim>  zero;
+              zero.position = patch.vertices[0] +
+                              (simplex.corners[i] - dealii::Point<dim>()) +
+                              phi[i] / (phi[i] - phi[j]) * edge;
+              zero.faces = division.faces[division.corners[s][j]];
+              if (phi[j] > 0)
+                zero.faces &= division.faces[division.corners[s][i]];
+              points.push_back(zero);
+            }
       if (points.size() == 4)
         std::swap(points[2], points[3]);
       return points;
@@ -47,33 +69,17 @@ namespace Thalweg
 
 
 
-    /// Which faces of the reference cell a point lies on, bit by bit.
-    template <int dim>
-    unsigned int
-    faces_at(const dealii::Point<dim> &xi)
-    {
-      unsigned int faces = 0;
-      for (unsigned int d = 0; d < dim; ++d)
-        if (xi[d] == 0. || xi[d] == 1.)
-          faces |= 1u << (2 * d + (xi[d] == 1. ? 1 : 0));
-      return faces;
-    }
-
-
-
     template <int dim>
     Facet<dim>
-    make_facet(const std::array<dealii::Point<dim>, dim> &reference,
-               const ContourPatch<dim>                   &patch)
+    make_facet(const std::array<Zero<dim>, dim> &zeros,
+               const ContourPatch<dim>          &patch)
     {
-      Facet<dim>                    facet;
-      std::array<unsigned int, dim> faces;
-      unsigned int                  all = patch.boundary_faces;
+      Facet<dim>   facet;
+      unsigned int all = patch.boundary_faces;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          facet.corners[i] = Q1::position<dim>(patch.vertices, reference[i]);
-          faces[i]         = faces_at(reference[i]);
-          all &= faces[i];
+          facet.corners[i] = zeros[i].position;
+          all &= zeros[i].faces;
         }
       // A facet that lies in a face of the boundary as a whole does not go
       // on there.
@@ -82,7 +88,7 @@ namespace Thalweg
           unsigned int side = patch.boundary_faces & ~all;
           for (unsigned int j = 0; j < dim; ++j)
             if (j != i)
-              side &= faces[j];
+              side &= zeros[j].faces;
           if (side != 0)
             facet.open_sides |= 1u << i;
         }
@@ -106,13 +112,17 @@ namespace Thalweg
   std::vector<Facet<dim>>
   facets(const ContourPatch<dim> &patch)
   {
+    auto vertices = patch.vertices;
+    for (auto &vertex : vertices)
+      vertex = dealii::Point<dim>(vertex - patch.vertices[0]);
+    const auto simplices = SimplexCut::divide<dim>(vertices, patch.phi);
     std::vector<Facet<dim>> result;
-    for (const auto &simplex : SimplexCut::divide<dim>(patch.phi))
+    for (unsigned int s = 0; s < simplices.size(); ++s)
       {
-        const auto points = zeros<dim>(simplex);
+        const auto points = zeros<dim>(patch, simplices[s], s);
         for (unsigned int last = dim - 1; last < points.size(); ++last)
           {
-            std::array<dealii::Point<dim>, dim> corners;
+            std::array<Zero<dim>, dim> corners;
             corners[0] = points[0];
             for (unsigned int i = 1; i < dim; ++i)
               corners[i] = points[last - (dim - 1) + i];

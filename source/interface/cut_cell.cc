@@ -1,6 +1,5 @@
-#include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/cut_cell.h>
-#include <thalweg/interface/simplex_cut.h>
+#include <thalweg/interface/cut_in_space.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +71,20 @@ namespace Thalweg
                             const std::array<double, (1 << dim)> &w)
     {
       static const Q1::Gauss<dim> gauss;
+      if (!Q1::is_parallelepiped<dim>(cell))
+        {
+          Q1::SimplexShape<dim>(cell.vertices)
+            .for_each([&](const auto  &values,
+                          const auto  &gradients,
+                          const double measure) {
+              dealii::Tensor<1, dim> gradient;
+              for (unsigned int v = 0; v < w.size(); ++v)
+                gradient += w[v] * gradients[v];
+              for (unsigned int i = 0; i < w.size(); ++i)
+                cut.star_gradient[i] += (measure * values[i]) * gradient;
+            });
+          return;
+        }
       for (unsigned int q = 0; q < gauss.n_points; ++q)
         {
           const auto             point  = gauss.evaluate(cell, q);
@@ -82,6 +95,80 @@ namespace Thalweg
           for (unsigned int i = 0; i < w.size(); ++i)
             cut.star_gradient[i] += (weight * point.values[i]) * gradient;
         }
+    }
+
+
+
+    /// Adds the integrals of a parallelepiped: the shape functions are Q1.
+    template <int dim>
+    void
+    integrate_in_reference_cell(CutCell<dim>                         &cut,
+                                const typename CellGraph<dim>::Cell  &cell,
+                                const std::array<double, (1 << dim)> &phi,
+                                const std::array<double, (1 << dim)> &w,
+                                const Fluids                         &fluids,
+                                const bool                            enrich)
+    {
+      for (const auto &simplex : SimplexCut::divide<dim>(phi))
+        {
+          const auto reference_gradient = SimplexCut::gradient(simplex);
+          SimplexCut::cut(simplex, [&](const auto &piece) {
+            const bool   negative = SimplexCut::is_negative(piece);
+            const double sign     = negative ? -1. : 1.;
+            for (const auto &q : SimplexCut::quadrature(piece))
+              {
+                const auto point =
+                  Q1::evaluate<dim>(cell,
+                                    Q1::values<dim>(q.xi),
+                                    Q1::reference_gradients<dim>(q.xi));
+                const double value =
+                  simplex.phi[0] +
+                  reference_gradient * (q.xi - simplex.corners[0]);
+                add_point(cut,
+                          point,
+                          w,
+                          sign * value,
+                          sign * (point.covariant * reference_gradient),
+                          q.weight * point.determinant,
+                          fluids[negative ? 0 : 1].density,
+                          enrich);
+              }
+          });
+        }
+    }
+
+
+
+    /// The same for any other cell: the shape functions are linear in each
+    /// simplex, as the level set is.
+    template <int dim>
+    void
+    integrate_in_space(CutCell<dim>                         &cut,
+                       const typename CellGraph<dim>::Cell  &cell,
+                       const std::array<double, (1 << dim)> &phi,
+                       const std::array<double, (1 << dim)> &w,
+                       const Fluids                         &fluids,
+                       const bool                            enrich)
+    {
+      const Q1::SimplexShape<dim> shape(cell.vertices);
+      SimplexCut::cut_in_space<dim>(
+        shape, phi, [&](const auto &piece, const auto &simplex) {
+          Q1::Point<dim> point;
+          point.values    = shape.values(piece.simplex, piece.middle);
+          point.gradients = shape.gradients(piece.simplex, simplex);
+          dealii::Tensor<1, dim> gradient;
+          for (unsigned int v = 0; v < phi.size(); ++v)
+            gradient += phi[v] * point.gradients[v];
+          const double sign = piece.negative ? -1. : 1.;
+          add_point(cut,
+                    point,
+                    w,
+                    sign * piece.phi,
+                    sign * gradient,
+                    piece.measure,
+                    fluids[piece.negative ? 0 : 1].density,
+                    enrich);
+        });
     }
 
 
@@ -139,32 +226,10 @@ namespace Thalweg
       }
     set_laminate(cut, cell, phi, fluids);
 
-    for (const auto &simplex : SimplexCut::divide<dim>(phi))
-      {
-        const auto reference_gradient = SimplexCut::gradient(simplex);
-        SimplexCut::cut(simplex, [&](const auto &piece) {
-          const bool   negative = SimplexCut::is_negative(piece);
-          const double sign     = negative ? -1. : 1.;
-          for (const auto &q : SimplexCut::quadrature(piece))
-            {
-              const auto point =
-                Q1::evaluate<dim>(cell,
-                                  Q1::values<dim>(q.xi),
-                                  Q1::reference_gradients<dim>(q.xi));
-              const double value =
-                simplex.phi[0] +
-                reference_gradient * (q.xi - simplex.corners[0]);
-              add_point(cut,
-                        point,
-                        w,
-                        sign * value,
-                        sign * (point.covariant * reference_gradient),
-                        q.weight * point.determinant,
-                        fluids[negative ? 0 : 1].density,
-                        enrich);
-            }
-        });
-      }
+    if (Q1::is_parallelepiped<dim>(cell))
+      integrate_in_reference_cell(cut, cell, phi, w, fluids, enrich);
+    else
+      integrate_in_space(cut, cell, phi, w, fluids, enrich);
     for (unsigned int i = 0; i < phi.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
         cut.laplace[j][i] = cut.laplace[i][j];
@@ -195,16 +260,12 @@ namespace Thalweg
     if (*largest <= 0)
       return cell.measure;
     double volume = 0;
-    for (const auto &simplex : SimplexCut::divide<dim>(phi))
-      SimplexCut::cut(simplex, [&](const auto &piece) {
-        if (SimplexCut::is_negative(piece))
-          for (const auto &q : SimplexCut::quadrature(piece))
-            volume +=
-              q.weight * Q1::evaluate<dim>(cell,
-                                           Q1::values<dim>(q.xi),
-                                           Q1::reference_gradients<dim>(q.xi))
-                           .determinant;
-      });
+    SimplexCut::cut_in_space<dim>(Q1::SimplexShape<dim>(cell.vertices),
+                                  phi,
+                                  [&volume](const auto &piece, const auto &) {
+                                    if (piece.negative)
+                                      volume += piece.measure;
+                                  });
     return volume;
   }
 

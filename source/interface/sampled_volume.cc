@@ -1,4 +1,4 @@
-#include <thalweg/fields/q1_cell.h>
+#include <thalweg/fields/q1_simplices.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/interface/simplex_cut.h>
 
@@ -23,13 +23,16 @@ namespace Thalweg
               const unsigned int                   n)
         : n(n)
         , values(dealii::Utilities::pow(n + 1, dim))
+        , positions(values.size())
       {
         for (unsigned int i = 0; i < values.size(); ++i)
           {
             dealii::Point<dim> xi;
             for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n + 1)
               xi[d] = static_cast<double>(rest % (n + 1)) / n;
-            values[i] = function.value(Q1::position<dim>(cell.vertices, xi));
+            const auto position = Q1::position<dim>(cell.vertices, xi);
+            values[i]           = function.value(position);
+            positions[i] = dealii::Point<dim>(position - cell.vertices[0]);
           }
       }
 
@@ -55,16 +58,34 @@ namespace Thalweg
       {
         double sum = 0;
         for (unsigned int s = 0; s < dealii::Utilities::pow(n, dim); ++s)
-          sum += SimplexCut::negative_fraction<dim>(corners(s));
+          sum += SimplexCut::negative_fraction<dim>(at_corners(values, s));
         return sum / dealii::Utilities::pow(n, dim);
       }
 
-    private:
-      std::array<double, (1 << dim)>
-      corners(const unsigned int sub_cell) const
+      /// The same where sub-cells differ, as a measure.
+      double
+      negative_measure() const
       {
-        std::array<double, (1 << dim)> phi;
-        for (unsigned int v = 0; v < phi.size(); ++v)
+        double sum = 0;
+        for (unsigned int s = 0; s < dealii::Utilities::pow(n, dim); ++s)
+          for (const auto &simplex :
+               SimplexCut::divide<dim>(at_corners(positions, s),
+                                       at_corners(values, s)))
+            SimplexCut::cut(simplex, [&sum](const auto &piece) {
+              if (SimplexCut::is_negative(piece))
+                sum += SimplexCut::measure(piece);
+            });
+        return sum;
+      }
+
+    private:
+      template <typename T>
+      std::array<T, (1 << dim)>
+      at_corners(const std::vector<T> &samples,
+                 const unsigned int    sub_cell) const
+      {
+        std::array<T, (1 << dim)> at_corners;
+        for (unsigned int v = 0; v < at_corners.size(); ++v)
           {
             unsigned int index = 0, stride = 1;
             for (unsigned int d = 0, rest = sub_cell; d < dim; ++d, rest /= n)
@@ -72,13 +93,15 @@ namespace Thalweg
                 index += stride * (rest % n + ((v >> d) & 1));
                 stride *= n + 1;
               }
-            phi[v] = values[index];
+            at_corners[v] = samples[index];
           }
-        return phi;
+        return at_corners;
       }
 
       const unsigned int  n;
       std::vector<double> values;
+      /// Relative to the cell's first vertex.
+      std::vector<dealii::Point<dim>> positions;
     };
   } // namespace
 
@@ -91,7 +114,10 @@ namespace Thalweg
     const Lattice<dim> coarse(cell, function, 2);
     if (coarse.is_far_from_zero())
       return coarse.starts_negative() ? cell.measure : 0.;
-    return Lattice<dim>(cell, function, 10).negative_fraction() * cell.measure;
+    const Lattice<dim> fine(cell, function, 10);
+    return Q1::is_parallelepiped<dim>(cell)
+             ? fine.negative_fraction() * cell.measure
+             : fine.negative_measure();
   }
 
 

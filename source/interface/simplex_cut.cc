@@ -1,3 +1,4 @@
+#include <thalweg/fields/q1_simplices.h>
 #include <thalweg/interface/simplex_cut.h>
 
 #include <algorithm>
@@ -7,86 +8,39 @@ namespace Thalweg
 {
   namespace SimplexCut
   {
-    namespace
+    template <int dim>
+    std::array<Simplex<dim>, n_simplices<dim>>
+    divide(const std::array<dealii::Point<dim>, (1 << dim)> &vertices,
+           const std::array<double, (1 << dim)>             &phi)
     {
-      template <int dim>
-      dealii::Point<dim>
-      vertex(const unsigned int v)
-      {
-        dealii::Point<dim> point;
-        for (unsigned int d = 0; d < dim; ++d)
-          point[d] = (v >> d) & 1u;
-        return point;
-      }
-
-
-
-      template <int dim>
-      double
-      average(const std::array<double, (1 << dim)> &phi)
-      {
-        double sum = 0;
-        for (const double value : phi)
-          sum += value;
-        return sum / phi.size();
-      }
-
-
-
-      /// Corners of the quadrilateral's boundary in circular order.
-      constexpr unsigned int circle[4] = {0, 1, 3, 2};
-    } // namespace
-
-
-
-    template <>
-    std::array<Simplex<2>, 4>
-    divide<2>(const std::array<double, 4> &phi)
-    {
-      std::array<Simplex<2>, 4> simplices;
-      const double              center = average<2>(phi);
-      for (unsigned int e = 0; e < 4; ++e)
-        {
-          const unsigned int a = circle[e], b = circle[(e + 1) % 4];
-          simplices[e] = {{{vertex<2>(a), vertex<2>(b), {.5, .5}}},
-                          {{phi[a], phi[b], center}}};
-        }
+      const auto &division = Q1::Division<dim>::instance();
+      std::array<dealii::Tensor<1, dim>, (1 << dim)> positions;
+      for (unsigned int v = 0; v < positions.size(); ++v)
+        positions[v] = vertices[v];
+      const auto points = division.extend(positions);
+      const auto values = division.extend(phi);
+      std::array<Simplex<dim>, n_simplices<dim>> simplices;
+      for (unsigned int s = 0; s < n_simplices<dim>; ++s)
+        for (unsigned int c = 0; c < dim + 1; ++c)
+          {
+            const unsigned int point = division.corners[s][c];
+            simplices[s].corners[c]  = dealii::Point<dim>(points[point]);
+            simplices[s].phi[c]      = values[point];
+          }
       return simplices;
     }
 
 
 
-    template <>
-    std::array<Simplex<3>, 24>
-    divide<3>(const std::array<double, 8> &phi)
+    template <int dim>
+    std::array<Simplex<dim>, n_simplices<dim>>
+    divide(const std::array<double, (1 << dim)> &phi)
     {
-      std::array<Simplex<3>, 24> simplices;
-      const double               center = average<3>(phi);
-      unsigned int               s      = 0;
-      for (unsigned int normal = 0; normal < 3; ++normal)
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            std::array<unsigned int, 4> corners;
-            for (unsigned int c = 0; c < 4; ++c)
-              {
-                const unsigned int u = circle[c] & 1u, v = circle[c] >> 1;
-                corners[c] = (side << normal) + (u << ((normal + 1) % 3)) +
-                             (v << ((normal + 2) % 3));
-              }
-            dealii::Point<3> middle(.5, .5, .5);
-            middle[normal]       = side;
-            const double on_face = (phi[corners[0]] + phi[corners[1]] +
-                                    phi[corners[2]] + phi[corners[3]]) /
-                                   4.;
-            for (unsigned int e = 0; e < 4; ++e)
-              {
-                const unsigned int a = corners[e], b = corners[(e + 1) % 4];
-                simplices[s++] = {
-                  {{vertex<3>(a), vertex<3>(b), middle, {.5, .5, .5}}},
-                  {{phi[a], phi[b], on_face, center}}};
-              }
-          }
-      return simplices;
+      std::array<dealii::Point<dim>, (1 << dim)> vertices;
+      for (unsigned int v = 0; v < vertices.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          vertices[v][d] = (v >> d) & 1u;
+      return divide<dim>(vertices, phi);
     }
 
 
@@ -181,6 +135,16 @@ namespace Thalweg
 
 
 
+    template std::array<Simplex<2>, 4>
+    divide<2>(const std::array<dealii::Point<2>, 4> &,
+              const std::array<double, 4> &);
+    template std::array<Simplex<3>, 24>
+    divide<3>(const std::array<dealii::Point<3>, 8> &,
+              const std::array<double, 8> &);
+    template std::array<Simplex<2>, 4>
+    divide<2>(const std::array<double, 4> &);
+    template std::array<Simplex<3>, 24>
+    divide<3>(const std::array<double, 8> &);
     template double
     measure<2>(const Simplex<2> &);
     template double

@@ -1,4 +1,3 @@
-#include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/simplex_cut.h>
 #include <thalweg/postprocess/cell_access.h>
 #include <thalweg/postprocess/phase_extent.h>
@@ -58,13 +57,11 @@ namespace Thalweg
                    const Band                           &band)
     {
       double extent = nowhere;
-      for (const auto &simplex : SimplexCut::divide<dim>(phi))
+      for (const auto &simplex : SimplexCut::divide<dim>(cell.vertices, phi))
         SimplexCut::cut(simplex, [&](const SimplexCut::Simplex<dim> &piece) {
           if (!SimplexCut::is_negative(piece))
             return;
-          std::array<dealii::Point<dim>, dim + 1> corners;
-          for (unsigned int i = 0; i <= dim; ++i)
-            corners[i] = Q1::position<dim>(cell.vertices, piece.corners[i]);
+          const auto &corners = piece.corners;
           for (unsigned int i = 0; i <= dim; ++i)
             for (unsigned int j = 0; j < i; ++j)
               extent = std::max(

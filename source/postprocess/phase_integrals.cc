@@ -1,5 +1,4 @@
-#include <thalweg/fields/q1_cell.h>
-#include <thalweg/interface/simplex_cut.h>
+#include <thalweg/interface/cut_in_space.h>
 #include <thalweg/postprocess/cell_access.h>
 #include <thalweg/postprocess/phase_integrals.h>
 
@@ -38,6 +37,35 @@ namespace Thalweg
     }
 
 
+    /// The same for cells of any shape.
+    template <int dim>
+    void
+    add_cut_in_space(const SolutionView<dim>              &solution,
+                     const unsigned int                    c,
+                     const std::array<double, (1 << dim)> &phi,
+                     std::array<PhaseIntegrals<dim>, 2>   &integrals)
+    {
+      const auto &vertices = solution.mesh.graph().cell(c).vertices;
+      const auto &nodes    = solution.space.nodes(c);
+      const Q1::SimplexShape<dim> shape(vertices);
+      SimplexCut::cut_in_space<dim>(
+        shape, phi, [&](const auto &piece, const auto &) {
+          auto      &phase  = integrals[piece.negative ? 0 : 1];
+          const auto values = shape.values(piece.simplex, piece.middle);
+          phase.volume += piece.measure;
+          for (unsigned int v = 0; v < values.size(); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                phase.moment_of_position[d] +=
+                  piece.measure * values[v] * vertices[v][d];
+                phase.moment_of_velocity[d] +=
+                  piece.measure * values[v] *
+                  solution.velocity.local_element(dim * nodes[v] + d);
+              }
+        });
+    }
+
+
     template <int dim>
     void
     add_cut_cell(const SolutionView<dim>              &solution,
@@ -45,6 +73,12 @@ namespace Thalweg
                  const std::array<double, (1 << dim)> &phi,
                  std::array<PhaseIntegrals<dim>, 2>   &integrals)
     {
+      const auto &cell = solution.mesh.graph().cell(c);
+      if (!Q1::is_parallelepiped<dim>(cell))
+        {
+          add_cut_in_space(solution, c, phi, integrals);
+          return;
+        }
       for (const auto &simplex : SimplexCut::divide<dim>(phi))
         SimplexCut::cut(simplex, [&](const SimplexCut::Simplex<dim> &piece) {
           auto &phase = integrals[SimplexCut::is_negative(piece) ? 0 : 1];

@@ -76,7 +76,7 @@ namespace Thalweg
     {
       const Section section = root.enter("Projection");
       projection.declare_parameters(section,
-                                    "weighted average",
+                                    "least squares",
                                     "projection from particles to the mesh");
     }
     interface.declare(root);

@@ -2,6 +2,7 @@
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/interface/sampled_volume.h>
+#include <thalweg/interface/signed_distance.h>
 #include <thalweg/simulation/simulation_parts.h>
 
 #include <algorithm>
@@ -10,18 +11,15 @@ namespace Thalweg
 {
   namespace
   {
-    /// The initial level set as particles carry it: cut off at a distance,
-    /// or with that distance wherever it is not zero.
+    /// The initial level set as particles carry it: as it is, or its sign.
     template <int dim>
     class CarriedLevelSet : public dealii::Function<dim>
     {
     public:
       CarriedLevelSet(const dealii::Function<dim> &function,
-                      const bool                   sign_only,
-                      const double                 band)
+                      const bool                   sign_only)
         : function(function)
         , sign_only(sign_only)
-        , band(band)
       {}
 
       double
@@ -29,15 +27,12 @@ namespace Thalweg
             const unsigned int        component = 0) const override
       {
         const double phi = function.value(x, component);
-        if (sign_only)
-          return phi < 0 ? -1. : 1.;
-        return std::max(-band, std::min(band, phi));
+        return sign_only ? (phi < 0 ? -1. : 1.) : phi;
       }
 
     private:
       const dealii::Function<dim> &function;
       const bool                   sign_only;
-      const double                 band;
     };
   } // namespace
 
@@ -56,6 +51,8 @@ namespace Thalweg
     parameters.forces.initialize();
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
+    if (parameters.particles_carry == "distance")
+      parameters.projection->band = parameters.distance_band;
   }
 
 
@@ -165,29 +162,33 @@ namespace Thalweg
     const auto velocity = parse_expression<dim>(parameters.initial_velocity,
                                                 dim,
                                                 "Initial conditions/Velocity");
-    const auto level_set =
+    const auto expression =
       parse_expression<dim>(parameters.initial_level_set,
                             1,
                             "Initial conditions/Level set");
+    const SignedDistance<dim> distance(
+      *expression,
+      dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
+                                  context.communicator));
+    const bool sign_only = parameters.particles_carry == "sign";
+    const dealii::Function<dim> &level_set =
+      sign_only ? static_cast<const dealii::Function<dim> &>(*expression)
+                : distance;
     population.handler().clear_particles();
     seed(population,
          parameters.seeding,
          *velocity,
-         CarriedLevelSet<dim>(*level_set,
-                              parameters.particles_carry == "sign",
-                              carried_distance));
+         CarriedLevelSet<dim>(level_set, sign_only));
     if (parameters.fluids.size() == 2)
       phase->target_volume = sampled_negative_volume<dim>(mesh.graph(),
-                                                          *level_set,
+                                                          level_set,
                                                           context.communicator);
 
     Vector initial_velocity, initial_level_set;
     space->initialize_velocity(initial_velocity);
     space->initialize_scalar(initial_level_set);
     interpolate_function(*space, *velocity, initial_velocity);
-    interpolate_function(*space,
-                         static_cast<const dealii::Function<dim> &>(*level_set),
-                         initial_level_set);
+    interpolate_function(*space, level_set, initial_level_set);
     boundary->apply(initial_velocity);
     space->interpolate(initial_velocity, dim);
     parameters.method->initialize(*velocity,

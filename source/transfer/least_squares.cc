@@ -2,10 +2,23 @@
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   namespace
   {
+    /// Where particles miss their plane by this part of their distance from
+    /// the node, the plane and the average of values that are cut off count
+    /// alike.
+    constexpr double middle_misfit = .05;
+
+    /// The square of a misfit that is nothing but round-off, in parts of the
+    /// square of what is fitted.
+    constexpr double round_off = 1e-12;
+
+
+
     /// A node that a cell's particles speak to: its weight is a combination
     /// of the shape functions of the cell's vertices.
     template <int dim>
@@ -18,36 +31,78 @@ namespace Thalweg
 
 
 
-    /// Sums of weight times products of (1, r_1, ...), and of weight times
-    /// value times (1, r_1, ...).
+    /// Sums over the particles around a node, each with its weight w.
     template <int dim>
     struct Moments
     {
       static constexpr unsigned int n = dim + 1;
+      /// w b_i b_j of the lower triangle, w b_i phi, and w b_i with phi cut
+      /// off, where b = (1, r); and w phi^2.
+      static constexpr unsigned int size = n * (n + 1) / 2 + 2 * n + 1;
 
-      explicit Moments(const NodeSpace<dim> &space)
-      {
-        for (auto &row : matrix)
-          for (unsigned int j = 0; j < n; ++j)
-            space.initialize_scalar(row[j]);
-        for (auto &entry : load)
-          space.initialize_scalar(entry);
-      }
+      std::array<double, size> sums{};
 
+      /// @param offset of the particle from the node
       void
-      fold(const NodeSpace<dim> &space)
+      add(const double                  weight,
+          const dealii::Tensor<1, dim> &offset,
+          const double                  phi,
+          const double                  cut_off_phi)
       {
+        std::array<double, n> row;
+        row[0] = weight;
+        for (unsigned int d = 0; d < dim; ++d)
+          row[d + 1] = weight * offset[d];
+        unsigned int k = 0;
         for (unsigned int i = 0; i < n; ++i)
           {
-            for (unsigned int j = 0; j <= i; ++j)
-              space.fold(matrix[i][j], 1);
-            space.fold(load[i], 1);
+            sums[k++] += row[i];
+            for (unsigned int j = 1; j <= i; ++j)
+              sums[k++] += row[i] * offset[j - 1];
           }
+        for (unsigned int i = 0; i < n; ++i)
+          sums[k++] += row[i] * phi;
+        for (unsigned int i = 0; i < n; ++i)
+          sums[k++] += row[i] * cut_off_phi;
+        sums[k] += weight * phi * phi;
       }
 
-      std::array<std::array<Vector, n>, n> matrix; ///< lower triangle
-      std::array<Vector, n>                load;
+      /// The level set at the node, or nothing if there are too few particles.
+      std::optional<double>
+      value() const;
     };
+
+
+
+    template <int dim>
+    std::optional<double>
+    Moments<dim>::value() const
+    {
+      dealii::Tensor<2, n> matrix;
+      dealii::Tensor<1, n> load, cut_off_load;
+      unsigned int         k = 0;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          matrix[i][j] = matrix[j][i] = sums[k++];
+      for (unsigned int i = 0; i < n; ++i)
+        load[i] = sums[k++];
+      for (unsigned int i = 0; i < n; ++i)
+        cut_off_load[i] = sums[k++];
+      const auto cut_off = solve_for_first(matrix, cut_off_load);
+      if (!cut_off)
+        return {};
+      const auto plane = invert(matrix) * load;
+
+      double spread = 0.;
+      for (unsigned int i = 1; i < n; ++i)
+        spread += matrix[i][i];
+      const double misfit = sums[k] - plane * load;
+      if (misfit <= round_off * sums[k])
+        return plane[0];
+      const double part =
+        1. / (1. + misfit / (middle_misfit * middle_misfit * spread));
+      return part * plane[0] + (1. - part) * *cut_off;
+    }
   } // namespace
 
 
@@ -57,6 +112,11 @@ namespace Thalweg
    * sought that fits the particles best, with the shape function as weight.
    * A plane stays a plane on any mesh and with any particles. Velocities are
    * averaged (Eq. 69 with densities).
+   *
+   * What the flow has distorted is no plane any more, and particles from deep
+   * inside of a fluid would move the surface. The more the particles around a
+   * node miss their plane, the more counts the one that fits their values cut
+   * off at the band.
    */
   template <int dim>
   class LeastSquares : public Projection<dim>
@@ -79,15 +139,24 @@ namespace Thalweg
             Vector                &level_set) const override;
 
   private:
+    /// What the particles of a cell say to nodes.
+    struct CellSums
+    {
+      std::vector<Target<dim>>  targets;
+      std::vector<Moments<dim>> moments;
+    };
+
     void
     accumulate(const Population<dim> &population,
                const NodeSpace<dim>  &space,
                const unsigned int     cell,
                const double           length,
-               Moments<dim>          &moments) const;
+               CellSums              &sums) const;
 
-    std::vector<Target<dim>>
-    targets(const NodeSpace<dim> &space, const unsigned int cell) const;
+    static void
+    find_targets(const NodeSpace<dim>     &space,
+                 const unsigned int        cell,
+                 std::vector<Target<dim>> &targets);
 
     std::unique_ptr<Projection<dim>> average;
   };
@@ -95,18 +164,18 @@ namespace Thalweg
 
 
   template <int dim>
-  std::vector<Target<dim>>
-  LeastSquares<dim>::targets(const NodeSpace<dim> &space,
-                             const unsigned int    cell) const
+  void
+  LeastSquares<dim>::find_targets(const NodeSpace<dim>     &space,
+                                  const unsigned int        cell,
+                                  std::vector<Target<dim>> &targets)
   {
-    const auto              &geometry = space.mesh().graph().cell(cell);
-    const auto              &nodes    = space.nodes(cell);
-    std::vector<Target<dim>> result;
-    const auto               add = [&result](const unsigned int        node,
-                               const dealii::Point<dim> &position,
-                               const unsigned int        vertex,
-                               const double              weight) {
-      for (Target<dim> &target : result)
+    const auto &geometry = space.mesh().graph().cell(cell);
+    const auto &nodes    = space.nodes(cell);
+    const auto  add      = [&targets](const unsigned int        node,
+                                const dealii::Point<dim> &position,
+                                const unsigned int        vertex,
+                                const double              weight) {
+      for (Target<dim> &target : targets)
         if (target.node == node && (target.position - position).norm() <=
                                      1e-10 * position.norm() + 1e-300)
           {
@@ -115,8 +184,9 @@ namespace Thalweg
           }
       Target<dim> target{node, position, {}};
       target.coefficients[vertex] = weight;
-      result.push_back(target);
+      targets.push_back(target);
     };
+    targets.clear();
     for (unsigned int v = 0; v < nodes.size(); ++v)
       {
         const auto hanging = space.hanging_masters(nodes[v]);
@@ -134,7 +204,6 @@ namespace Thalweg
             add(entry.master, position, v, entry.weight);
           }
       }
-    return result;
   }
 
 
@@ -145,49 +214,31 @@ namespace Thalweg
                                 const NodeSpace<dim>  &space,
                                 const unsigned int     cell,
                                 const double           length,
-                                Moments<dim>          &moments) const
+                                CellSums              &sums) const
   {
-    constexpr unsigned int                 n    = dim + 1;
-    const auto                             list = targets(space, cell);
-    std::vector<std::array<double, n * n>> matrix(list.size());
-    std::vector<std::array<double, n>>     load(list.size());
-    for (unsigned int t = 0; t < list.size(); ++t)
-      {
-        matrix[t].fill(0.);
-        load[t].fill(0.);
-      }
-    for (const auto &particle : population.handler().particles_in_cell(
-           population.mesh().graph().iterator(cell)))
+    const CellGraph<dim> &graph = space.mesh().graph();
+    const double          limit = this->band * graph.cell(cell).edges().first;
+    find_targets(space, cell, sums.targets);
+    sums.moments.assign(sums.targets.size(), {});
+    for (const auto &particle :
+         population.handler().particles_in_cell(graph.iterator(cell)))
       {
         const auto   shape = Q1::values<dim>(particle.get_reference_location());
         const auto  &x     = particle.get_location();
         const double phi =
           particle.get_properties()[Population<dim>::level_set_offset];
-        for (unsigned int t = 0; t < list.size(); ++t)
+        const double cut_off = std::clamp(phi, -limit, limit);
+        for (unsigned int t = 0; t < sums.targets.size(); ++t)
           {
             double weight = 0;
             for (unsigned int v = 0; v < shape.size(); ++v)
-              weight += list[t].coefficients[v] * shape[v];
-            std::array<double, n> basis;
-            basis[0] = 1.;
-            for (unsigned int d = 0; d < dim; ++d)
-              basis[d + 1] = (x[d] - list[t].position[d]) / length;
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                for (unsigned int j = 0; j <= i; ++j)
-                  matrix[t][i * n + j] += weight * basis[i] * basis[j];
-                load[t][i] += weight * basis[i] * phi;
-              }
+              weight += sums.targets[t].coefficients[v] * shape[v];
+            sums.moments[t].add(weight,
+                                (x - sums.targets[t].position) / length,
+                                phi / length,
+                                cut_off / length);
           }
       }
-    for (unsigned int t = 0; t < list.size(); ++t)
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          for (unsigned int j = 0; j <= i; ++j)
-            moments.matrix[i][j].local_element(list[t].node) +=
-              matrix[t][i * n + j];
-          moments.load[i].local_element(list[t].node) += load[t][i];
-        }
   }
 
 
@@ -200,32 +251,36 @@ namespace Thalweg
                              Vector                &velocity,
                              Vector                &level_set) const
   {
+    average->band = this->band;
     average->project(population, space, fluids, velocity, level_set);
 
-    constexpr unsigned int n = dim + 1;
     // One length on all processes, since they add up their moments.
     const double length = dealii::Utilities::MPI::min(
       space.mesh().graph().minimal_extent(),
       space.mesh().triangulation().get_communicator());
-    Moments<dim> moments(space);
+    std::array<Vector, Moments<dim>::size> nodal;
+    for (Vector &vector : nodal)
+      space.initialize_scalar(vector);
+    CellSums sums;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      accumulate(population, space, c, length, moments);
-    moments.fold(space);
+      {
+        accumulate(population, space, c, length, sums);
+        for (unsigned int t = 0; t < sums.targets.size(); ++t)
+          for (unsigned int k = 0; k < nodal.size(); ++k)
+            nodal[k].local_element(sums.targets[t].node) +=
+              sums.moments[t].sums[k];
+      }
+    for (Vector &vector : nodal)
+      space.fold(vector, 1);
 
     level_set.zero_out_ghost_values();
+    Moments<dim> moments;
     for (unsigned int node = 0; node < level_set.locally_owned_size(); ++node)
       {
-        dealii::Tensor<2, n> matrix;
-        dealii::Tensor<1, n> load;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            for (unsigned int j = 0; j <= i; ++j)
-              matrix[i][j] = matrix[j][i] =
-                moments.matrix[i][j].local_element(node);
-            load[i] = moments.load[i].local_element(node);
-          }
-        if (const auto value = solve_for_first(matrix, load))
-          level_set.local_element(node) = *value;
+        for (unsigned int k = 0; k < nodal.size(); ++k)
+          moments.sums[k] = nodal[k].local_element(node);
+        if (const auto value = moments.value())
+          level_set.local_element(node) = *value * length;
       }
     space.interpolate(level_set, 1);
   }

@@ -1,6 +1,8 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/projection.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   /**
@@ -48,8 +50,10 @@ namespace Thalweg
              const NodeSpace<dim>  &space,
              const Fluids          &fluids,
              const unsigned int     cell,
+             const double           band,
              Sums                  &sums)
     {
+      const double limit = band * space.mesh().graph().cell(cell).edges().first;
       constexpr unsigned int      n = 1 << dim;
       std::array<double, n>       weight{}, level_set{}, mass{};
       std::array<double, dim * n> momentum{};
@@ -58,8 +62,11 @@ namespace Thalweg
         {
           const auto shape = Q1::values<dim>(particle.get_reference_location());
           const auto properties = particle.get_properties();
-          const double phi      = properties[Population<dim>::level_set_offset];
-          const double density  = fluids.at(phi).density;
+          const double phi =
+            std::clamp(properties[Population<dim>::level_set_offset],
+                       -limit,
+                       limit);
+          const double density = fluids.at(phi).density;
           for (unsigned int v = 0; v < n; ++v)
             {
               weight[v] += shape[v];
@@ -99,7 +106,7 @@ namespace Thalweg
       space.initialize_scalar(*scalar);
     space.initialize_velocity(sums.momentum);
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      add_cell(population, space, fluids, c, sums);
+      add_cell(population, space, fluids, c, this->band, sums);
     for (Vector *scalar : {&sums.weight, &sums.level_set, &sums.mass})
       space.fold(*scalar, 1);
     space.fold(sums.momentum, dim);

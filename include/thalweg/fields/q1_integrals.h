@@ -6,8 +6,12 @@
 namespace Thalweg
 {
   /**
-   * @brief Integrals over a cell that fluids do not enter, exact on
-   * parallelograms, with tables for axis-parallel cells.
+   * @brief Integrals over a cell that fluids do not enter, exact, with tables
+   * for axis-parallel cells.
+   *
+   * The functions are Q1 in parallelepipeds, and linear in each simplex of
+   * other cells (Q1::SimplexShape), as in those that two fluids share: so both
+   * kinds of cells agree on every plane.
    */
   template <int dim>
   class Q1Integrals

@@ -15,8 +15,7 @@ namespace Thalweg
    * come out too small, their radius by about a sixth of s^2/R for sub-cells
    * of size s, which is 0.02 % of the volume for a radius of five cells.
    *
-   * @param cell a cell; fractions are taken in its reference coordinates,
-   *   which is exact for parallelepipeds
+   * @param cell a cell of any shape
    * @param function a level set that varies about as fast as a distance
    * @return m^dim
    */

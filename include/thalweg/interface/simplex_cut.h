@@ -33,7 +33,15 @@ namespace Thalweg
     template <int dim>
     constexpr unsigned int n_simplices = dim == 2 ? 4 : 24;
 
-    /// The division of a cell with the values @p phi at its vertices.
+    /// The division of the cell with these vertices and the values @p phi
+    /// there.
+    template <int dim>
+    std::array<Simplex<dim>, n_simplices<dim>>
+    divide(const std::array<dealii::Point<dim>, (1 << dim)> &vertices,
+           const std::array<double, (1 << dim)>             &phi);
+
+    /// The division of the reference cell with the values @p phi at its
+    /// vertices.
     template <int dim>
     std::array<Simplex<dim>, n_simplices<dim>>
     divide(const std::array<double, (1 << dim)> &phi);

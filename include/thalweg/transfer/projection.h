@@ -6,6 +6,8 @@
 #include <thalweg/materials/fluids.h>
 #include <thalweg/particles/population.h>
 
+#include <limits>
+
 namespace Thalweg
 {
   /**
@@ -35,6 +37,10 @@ namespace Thalweg
             const Fluids          &fluids,
             Vector                &velocity,
             Vector                &level_set) const = 0;
+
+    /// At how many times the shortest edge of their cell particles' level sets
+    /// are cut off before they are averaged.
+    double band = std::numeric_limits<double>::infinity();
   };
 
   /// V_p += factor (V^{n+1} - V*)(x_p), Eq. 81e and 87.

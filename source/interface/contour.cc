@@ -304,18 +304,40 @@ namespace Thalweg
 
 
   template <int dim>
-  double
-  Contour<dim>::distance(const unsigned int        patch,
-                         const dealii::Point<dim> &x,
-                         const double              limit) const
+  void
+  Contour<dim>::find_nearest(const unsigned int        patch,
+                             const dealii::Point<dim> &x,
+                             FacetDistance            &nearest) const
   {
-    double nearest = limit;
-    if (balls[patch].center.distance(x) - balls[patch].radius >= limit)
-      return nearest;
+    if (balls[patch].center.distance(x) - balls[patch].radius >=
+        nearest.distance)
+      return;
     for (unsigned int f = first_facet[patch]; f < first_facet[patch + 1]; ++f)
-      if (distance_bound(all_facets[f], x) < nearest)
-        nearest = std::min(nearest, Thalweg::distance<dim>(all_facets[f], x));
-    return nearest;
+      if (distance_bound(all_facets[f], x) < nearest.distance)
+        {
+          const auto here = distance<dim>(all_facets[f], x);
+          if (here.distance < nearest.distance)
+            nearest = here;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  Contour<dim>::collect_nearest(const unsigned int        patch,
+                                const dealii::Point<dim> &x,
+                                const FacetDistance      &nearest,
+                                std::vector<Facet<dim>>  &facets) const
+  {
+    constexpr double round_off = 1e-9;
+    const double     limit     = (1. + round_off) * nearest.distance;
+    if (balls[patch].center.distance(x) - balls[patch].radius > limit)
+      return;
+    for (unsigned int f = first_facet[patch]; f < first_facet[patch + 1]; ++f)
+      if (distance_bound(all_facets[f], x) <= limit &&
+          distance<dim>(all_facets[f], x).distance <= limit)
+        facets.push_back(all_facets[f]);
   }
 
 

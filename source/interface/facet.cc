@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Thalweg
 {
@@ -92,26 +93,120 @@ namespace Thalweg
                        square_distance_from_segment(b, c, x),
                        square_distance_from_segment(c, a, x)});
     }
+
+
+
+    double
+    distance_from_side(const Facet<2>         &facet,
+                       const unsigned int      i,
+                       const dealii::Point<2> &x)
+    {
+      return facet.corners[1 - i].distance(x);
+    }
+
+
+
+    double
+    distance_from_side(const Facet<3>         &facet,
+                       const unsigned int      i,
+                       const dealii::Point<3> &x)
+    {
+      return std::sqrt(square_distance_from_segment(facet.corners[(i + 1) % 3],
+                                                    facet.corners[(i + 2) % 3],
+                                                    x));
+    }
+
+
+
+    bool
+    is_same_side(const Facet<2>    &a,
+                 const unsigned int i,
+                 const Facet<2>    &b,
+                 const unsigned int j,
+                 const double       tolerance)
+    {
+      return a.corners[1 - i].distance(b.corners[1 - j]) <= tolerance;
+    }
+
+
+
+    bool
+    is_same_side(const Facet<3>    &a,
+                 const unsigned int i,
+                 const Facet<3>    &b,
+                 const unsigned int j,
+                 const double       tolerance)
+    {
+      const auto &a1 = a.corners[(i + 1) % 3], &a2 = a.corners[(i + 2) % 3];
+      const auto &b1 = b.corners[(j + 1) % 3], &b2 = b.corners[(j + 2) % 3];
+      return (a1.distance(b1) <= tolerance && a2.distance(b2) <= tolerance) ||
+             (a1.distance(b2) <= tolerance && a2.distance(b1) <= tolerance);
+    }
   } // namespace
 
 
 
   template <int dim>
-  double
+  FacetDistance
   distance(const Facet<dim> &facet, const dealii::Point<dim> &x)
   {
     constexpr unsigned int all_sides = (1u << dim) - 1;
     const Foot             at        = foot(facet, x);
     const bool             is_inside =
       at.inside != 0 && (at.inside | facet.open_sides) == all_sides;
-    return std::sqrt(is_inside ? at.square_height
-                               : square_distance_from_sides(facet, x));
+    return {std::sqrt(is_inside ? at.square_height
+                                : square_distance_from_sides(facet, x)),
+            !is_inside};
   }
 
 
 
-  template double
-  distance<2>(const Facet<2> &, const dealii::Point<2> &);
-  template double
-  distance<3>(const Facet<3> &, const dealii::Point<3> &);
+  template <int dim>
+  double
+  distance_from_plane(const Facet<dim> &facet, const dealii::Point<dim> &x)
+  {
+    const Foot at = foot(facet, x);
+    return at.inside != 0 ? std::sqrt(at.square_height)
+                          : std::numeric_limits<double>::infinity();
+  }
+
+
+
+  template <int dim>
+  bool
+  ends_near(const std::vector<Facet<dim>> &facets, const dealii::Point<dim> &x)
+  {
+    constexpr double round_off = 1e-9;
+    double           nearest   = std::numeric_limits<double>::infinity();
+    for (const auto &facet : facets)
+      for (unsigned int i = 0; i < dim; ++i)
+        nearest = std::min(nearest, distance_from_side(facet, i, x));
+    for (unsigned int f = 0; f < facets.size(); ++f)
+      for (unsigned int i = 0; i < dim; ++i)
+        if (distance_from_side(facets[f], i, x) <= (1. + round_off) * nearest)
+          {
+            const double tolerance = round_off * nearest;
+            bool         is_shared = false;
+            for (unsigned int g = 0; g < facets.size() && !is_shared; ++g)
+              for (unsigned int j = 0; j < dim && g != f; ++j)
+                is_shared = is_shared ||
+                            is_same_side(facets[f], i, facets[g], j, tolerance);
+            if (!is_shared)
+              return true;
+          }
+    return false;
+  }
+
+
+
+#define THALWEG_INSTANTIATE_FACET(dim)                                         \
+  template FacetDistance distance<dim>(const Facet<dim> &,                     \
+                                       const dealii::Point<dim> &);            \
+  template double        distance_from_plane<dim>(const Facet<dim> &,          \
+                                           const dealii::Point<dim> &); \
+  template bool          ends_near<dim>(const std::vector<Facet<dim>> &,       \
+                               const dealii::Point<dim> &);
+  THALWEG_INSTANTIATE_FACET(2)
+  THALWEG_INSTANTIATE_FACET(3)
+#undef THALWEG_INSTANTIATE_FACET
 } // namespace Thalweg

@@ -72,6 +72,26 @@ namespace Thalweg
       std::vector<unsigned int> first;
       std::vector<unsigned int> cells;
     };
+
+
+
+    /// Where the two rings of cells around a node end before the contour does,
+    /// what is nearest in them is too far away. It cannot be nearer than the
+    /// planes of the facets there; in between the projected level set decides.
+    template <int dim>
+    double
+    beyond_the_end(const std::vector<Facet<dim>> &facets,
+                   const dealii::Point<dim>      &x,
+                   const double                   distance,
+                   const double                   projected)
+    {
+      if (!ends_near(facets, x))
+        return distance;
+      double least = distance;
+      for (const auto &facet : facets)
+        least = std::min(least, distance_from_plane(facet, x));
+      return std::clamp(std::abs(projected), least, distance);
+    }
   } // namespace
 
 
@@ -92,26 +112,44 @@ namespace Thalweg
     std::vector<double> distance = limits(space, n_owned);
 
     const CellsOfNodes cells(space, n_owned);
-    // The last node that looked at each patch: those around a node share most
-    // of them, and each counts once.
-    std::vector<unsigned int> seen_by(contour.n_patches(), n_owned);
-    const auto look_at = [&](const unsigned int from, const unsigned int node) {
-      for (const unsigned int patch : contour.patches_at(from))
-        if (seen_by[patch] != node)
-          {
-            seen_by[patch] = node;
-            distance[node] =
-              contour.distance(patch, space.position(node), distance[node]);
-          }
+    // The last round in which each patch was looked at: those around a node
+    // share most of them, and each counts once.
+    std::vector<unsigned int> seen_in(contour.n_patches(), 0);
+    unsigned int              round          = 0;
+    const auto                for_each_patch = [&](const unsigned int node,
+                                    const auto        &visit) {
+      const auto look_from = [&](const unsigned int from) {
+        for (const unsigned int patch : contour.patches_at(from))
+          if (seen_in[patch] != round)
+            {
+              seen_in[patch] = round;
+              visit(patch);
+            }
+      };
+      ++round;
+      // A node's own cells first: what is farther is refused at once.
+      look_from(node);
+      for (const unsigned int *c = cells.begin(node); c != cells.end(node); ++c)
+        for (const unsigned int neighbor : space.nodes(*c))
+          look_from(neighbor);
     };
+    std::vector<Facet<dim>> facets;
     for (unsigned int node = 0; node < n_owned; ++node)
       {
-        // A node's own cells first: what is farther is refused at once.
-        look_at(node, node);
-        for (const unsigned int *c = cells.begin(node); c != cells.end(node);
-             ++c)
-          for (const unsigned int neighbor : space.nodes(*c))
-            look_at(neighbor, node);
+        const auto   &x = space.position(node);
+        FacetDistance nearest{distance[node], false};
+        for_each_patch(node, [&](const unsigned int patch) {
+          contour.find_nearest(patch, x, nearest);
+        });
+        distance[node] = nearest.distance;
+        if (!nearest.on_side)
+          continue;
+        facets.clear();
+        for_each_patch(node, [&](const unsigned int patch) {
+          contour.collect_nearest(patch, x, nearest, facets);
+        });
+        distance[node] =
+          beyond_the_end(facets, x, nearest.distance, phi.local_element(node));
       }
 
     phi.zero_out_ghost_values();

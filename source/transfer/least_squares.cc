@@ -88,20 +88,20 @@ namespace Thalweg
         load[i] = sums[k++];
       for (unsigned int i = 0; i < n; ++i)
         cut_off_load[i] = sums[k++];
-      const auto cut_off = solve_for_first(matrix, cut_off_load);
-      if (!cut_off)
+      const PlaneFit<n> fit(matrix);
+      if (!fit.is_determined())
         return {};
-      const auto plane = invert(matrix) * load;
 
       double spread = 0.;
       for (unsigned int i = 1; i < n; ++i)
         spread += matrix[i][i];
-      const double misfit = sums[k] - plane * load;
+      const auto   plane  = fit.solve(load);
+      const double misfit = sums[k] - plane.explained;
       if (misfit <= round_off * sums[k])
-        return plane[0];
+        return plane.first;
       const double part =
         1. / (1. + misfit / (middle_misfit * middle_misfit * spread));
-      return part * plane[0] + (1. - part) * *cut_off;
+      return part * plane.first + (1. - part) * fit.solve(cut_off_load).first;
     }
   } // namespace
 

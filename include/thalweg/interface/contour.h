@@ -57,11 +57,20 @@ namespace Thalweg
       return patches.size();
     }
 
-    /// The distance from @p x to patch @p patch, or @p limit if that is less.
-    double
-    distance(const unsigned int        patch,
-             const dealii::Point<dim> &x,
-             const double              limit) const;
+    /// Lets @p nearest be the distance from @p x to patch @p patch if that is
+    /// less.
+    void
+    find_nearest(const unsigned int        patch,
+                 const dealii::Point<dim> &x,
+                 FacetDistance            &nearest) const;
+
+    /// Appends the facets of patch @p patch that are as near to @p x as
+    /// @p nearest says.
+    void
+    collect_nearest(const unsigned int        patch,
+                    const dealii::Point<dim> &x,
+                    const FacetDistance      &nearest,
+                    std::vector<Facet<dim>>  &facets) const;
 
   private:
     struct Ball

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace Thalweg
 {
@@ -23,10 +24,33 @@ namespace Thalweg
     unsigned int open_sides = 0;
   };
 
-  /// The distance of @p x from a facet, continued beyond its open sides.
+  /// The distance of a point from a facet, continued beyond its open sides.
+  struct FacetDistance
+  {
+    double distance;
+    /// Whether the nearest point of the facet lies on one of its sides.
+    bool on_side;
+  };
+
+  template <int dim>
+  FacetDistance
+  distance(const Facet<dim> &facet, const dealii::Point<dim> &x);
+
+  /// The distance of @p x from the plane (in 2D: the line) of a facet;
+  /// infinite if it has no extent.
   template <int dim>
   double
-  distance(const Facet<dim> &facet, const dealii::Point<dim> &x);
+  distance_from_plane(const Facet<dim> &facet, const dealii::Point<dim> &x);
+
+  /**
+   * @brief Whether a surface ends where it is nearest to a point.
+   * @param facets those that are nearest to @p x, all as far away, at their
+   *   sides
+   * @return whether one of these sides is not that of two facets
+   */
+  template <int dim>
+  bool
+  ends_near(const std::vector<Facet<dim>> &facets, const dealii::Point<dim> &x);
 
   /**
    * @brief A lower bound of distance() for facets without open sides, 0 for

@@ -12,37 +12,80 @@ namespace Thalweg
   /// around a node determine no plane.
   constexpr double smallest_pivot = 1e-3;
 
-  /// The first unknown of a symmetric system by Cholesky's method, or
-  /// nothing if a pivot is too small.
+  /**
+   * @brief Cholesky's factorization of the symmetric system of n unknowns
+   * that a least squares fit leads to; backwards, so that the first unknown
+   * comes out first.
+   */
+  template <int n>
+  class PlaneFit
+  {
+  public:
+    explicit PlaneFit(const dealii::Tensor<2, n> &matrix)
+    {
+      for (int i = n - 1; i >= 0 && determined; --i)
+        {
+          double pivot = matrix[i][i];
+          for (int k = n - 1; k > i; --k)
+            pivot -= factor[i][k] * factor[i][k];
+          determined = pivot > smallest_pivot * matrix[i][i];
+          if (!determined)
+            return;
+          factor[i][i] = std::sqrt(pivot);
+          for (int j = i - 1; j >= 0; --j)
+            {
+              double entry = matrix[i][j];
+              for (int k = n - 1; k > i; --k)
+                entry -= factor[i][k] * factor[j][k];
+              factor[j][i] = entry / factor[i][i];
+            }
+        }
+    }
+
+    /// Whether no pivot is too small.
+    bool
+    is_determined() const
+    {
+      return determined;
+    }
+
+    /// What a fit gives.
+    struct Result
+    {
+      double first;     ///< the first unknown
+      double explained; ///< the part of the sum of squares that is fitted
+    };
+
+    Result
+    solve(const dealii::Tensor<1, n> &load) const
+    {
+      dealii::Tensor<1, n> y;
+      for (int i = n - 1; i >= 0; --i)
+        {
+          double value = load[i];
+          for (int k = n - 1; k > i; --k)
+            value -= factor[i][k] * y[k];
+          y[i] = value / factor[i][i];
+        }
+      return {y[0] / factor[0][0], y * y};
+    }
+
+  private:
+    dealii::Tensor<2, n> factor;
+    bool                 determined = true;
+  };
+
+  /// The first unknown of a symmetric system, or nothing if a pivot is too
+  /// small.
   template <int n>
   inline std::optional<double>
   solve_for_first(const dealii::Tensor<2, n> &matrix,
                   const dealii::Tensor<1, n> &load)
   {
-    // Backwards, so that the first unknown comes out first.
-    dealii::Tensor<2, n> factor;
-    dealii::Tensor<1, n> y;
-    for (int i = n - 1; i >= 0; --i)
-      {
-        double pivot = matrix[i][i];
-        for (int k = n - 1; k > i; --k)
-          pivot -= factor[i][k] * factor[i][k];
-        if (!(pivot > smallest_pivot * matrix[i][i]))
-          return {};
-        factor[i][i] = std::sqrt(pivot);
-        for (int j = i - 1; j >= 0; --j)
-          {
-            double entry = matrix[i][j];
-            for (int k = n - 1; k > i; --k)
-              entry -= factor[i][k] * factor[j][k];
-            factor[j][i] = entry / factor[i][i];
-          }
-        double value = load[i];
-        for (int k = n - 1; k > i; --k)
-          value -= factor[i][k] * y[k];
-        y[i] = value / factor[i][i];
-      }
-    return y[0] / factor[0][0];
+    const PlaneFit<n> fit(matrix);
+    if (!fit.is_determined())
+      return {};
+    return fit.solve(load).first;
   }
 } // namespace Thalweg
 

@@ -205,28 +205,25 @@ namespace Thalweg
 
   template <int dim>
   void
-  BoundaryNodes<dim>::add_flux(const double factor, Vector &scalar) const
+  BoundaryNodes<dim>::add_flux(const Vector &field,
+                               const double  factor,
+                               Vector       &scalar) const
   {
-    const CellGraph<dim>  &graph = space.mesh().graph();
-    dealii::Vector<double> value(dim);
     for (const Face &face : faces)
       {
-        const auto &condition = conditions_.at(face.id);
-        if (condition.kind != BoundaryKind::velocity)
+        if (conditions_.at(face.id).kind != BoundaryKind::velocity)
           continue;
+        const auto &nodes = space.nodes(face.cell);
         for (unsigned int q = 0; q < face.reference_points.size(); ++q)
           {
             const auto shape = Q1::values<dim>(face.reference_points[q]);
-            condition.function->vector_value(
-              Q1::position<dim>(graph.cell(face.cell).vertices,
-                                face.reference_points[q]),
-              value);
-            double flux = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              flux += value[d] * face.normals_times_weight[q][d];
+            double     flux  = 0;
             for (unsigned int v = 0; v < shape.size(); ++v)
-              scalar.local_element(space.nodes(face.cell)[v]) +=
-                factor * shape[v] * flux;
+              for (unsigned int d = 0; d < dim; ++d)
+                flux += shape[v] * field.local_element(dim * nodes[v] + d) *
+                        face.normals_times_weight[q][d];
+            for (unsigned int v = 0; v < shape.size(); ++v)
+              scalar.local_element(nodes[v]) += factor * shape[v] * flux;
           }
       }
   }

@@ -2,16 +2,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// To this part each solve but the last reduces its residual: the
-    /// iterations of (87c) to (87e) only halve their error, and what one solve
-    /// leaves, the next one finds.
-    constexpr double intermediate_reduction = .05;
-  } // namespace
-
-
-
   template <int dim>
   void
   FractionalStep<dim>::declare_parameters(const Section &section)
@@ -19,9 +9,8 @@ namespace Thalweg
     section.add("Iterations",
                 iterations,
                 "",
-                "At most so many repetitions of the steps B to D after the "
-                "first pressure solve (Eq. 87); with large time steps too few "
-                "of them lose volume.",
+                "At most so many repetitions of the steps C to E (Eq. 87), "
+                "which find the pressure that friction asks for.",
                 dealii::Patterns::Integer(0, 1000));
     section.add("Iteration tolerance",
                 iteration_tolerance,
@@ -29,6 +18,13 @@ namespace Thalweg
                 "The repetitions end when the velocity changes by less than "
                 "this part of itself.",
                 dealii::Patterns::Double(0));
+    section.add("Divergence tolerance",
+                divergence_tolerance,
+                "",
+                "The velocity has been made free of divergence when an "
+                "iteration changes it by less than this part of the whole "
+                "change.",
+                dealii::Patterns::Double(0, 1));
     section.add("Pressure tolerance",
                 pressure_tolerance,
                 "",
@@ -64,14 +60,18 @@ namespace Thalweg
     boundary = &boundary_;
     phase    = &phase_;
     forces   = &forces_;
+    mass     = std::make_unique<NodalMass<dim>>(*space, *boundary, *phase);
     pressure_system =
       std::make_unique<PressureSystem<dim>>(*space, *boundary, *phase, *forces);
+    cell_projection = std::make_unique<CellProjection<dim>>(*space,
+                                                            *boundary,
+                                                            *pressure_system);
     viscous = std::make_unique<ViscousOperator<dim>>(*space, *boundary, *phase);
-    space->initialize_scalar(mass);
     space->initialize_scalar(p.nodal);
     space->initialize_scalar(dp.nodal);
     space->initialize_velocity(force);
     space->initialize_velocity(change);
+    space->initialize_velocity(before_friction);
     space->initialize_velocity(v);
   }
 
@@ -79,22 +79,18 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::assemble_mass()
+  FractionalStep<dim>::add_force_density()
   {
     const CellGraph<dim> &graph = space->mesh().graph();
-    mass                        = 0.;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const int cut_index = phase->cut_index(c);
-        auto      local = cut_index < 0 ? integrals.node_measures(graph.cell(c))
-                                        : phase->cut_cells()[cut_index].mass;
-        if (cut_index < 0)
-          for (double &value : local)
-            value *= phase->fluid(c).density;
-        for (unsigned int i = 0; i < local.size(); ++i)
-          mass.local_element(space->nodes(c)[i]) += local[i];
+        const auto measures = integrals.node_measures(graph.cell(c));
+        const auto f        = forces->density(Q1::center<dim>(graph.cell(c)));
+        for (unsigned int i = 0; i < measures.size(); ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            force.local_element(dim * space->nodes(c)[i] + d) +=
+              measures[i] * f[d];
       }
-    space->fold(mass, 1);
   }
 
 
@@ -103,31 +99,18 @@ namespace Thalweg
   void
   FractionalStep<dim>::accelerate(const EnrichedPressure &pressure,
                                   const bool              with_forces,
-                                  const double            dt)
+                                  const double            duration)
   {
     force = 0.;
     pressure_system->subtract_gradient(pressure, force);
     if (with_forces && forces->has_density())
-      {
-        const CellGraph<dim> &graph = space->mesh().graph();
-        for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-          {
-            const auto measures = integrals.node_measures(graph.cell(c));
-            const auto f = forces->density(Q1::center<dim>(graph.cell(c)));
-            for (unsigned int i = 0; i < measures.size(); ++i)
-              for (unsigned int d = 0; d < dim; ++d)
-                force.local_element(dim * space->nodes(c)[i] + d) +=
-                  measures[i] * f[d];
-          }
-      }
+      add_force_density();
     space->fold(force, dim);
+    mass->accelerate(force,
+                     with_forces ? forces->gravity()
+                                 : dealii::Tensor<1, dim>());
     v.zero_out_ghost_values();
-    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
-      if (!space->is_dependent(n))
-        for (unsigned int d = 0; d < dim; ++d)
-          v.local_element(dim * n + d) +=
-            dt * (force.local_element(dim * n + d) / mass.local_element(n) +
-                  (with_forces ? forces->gravity()[d] : 0.));
+    v.add(duration, force);
     boundary->apply(v);
     space->interpolate(v, dim);
   }
@@ -135,7 +118,7 @@ namespace Thalweg
 
 
   template <int dim>
-  void
+  bool
   FractionalStep<dim>::predict(const double dt)
   {
     force = 0.;
@@ -143,14 +126,15 @@ namespace Thalweg
     space->fold(force, dim);
     boundary->project(force);
     if (force.linfty_norm() == 0.)
-      return;
-    viscous->update(mass, dt);
+      return false;
+    const Vector &masses = mass->lumped();
+    viscous->update(masses, dt);
     change.zero_out_ghost_values();
     double momentum = 0;
-    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
+    for (unsigned int n = 0; n < masses.locally_owned_size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
         momentum +=
-          std::pow(mass.local_element(n) / dt * v.local_element(dim * n + d),
+          std::pow(masses.local_element(n) / dt * v.local_element(dim * n + d),
                    2);
     momentum =
       std::sqrt(dealii::Utilities::MPI::sum(momentum, context->communicator));
@@ -168,6 +152,7 @@ namespace Thalweg
     v.add(1., change);
     boundary->apply(v);
     space->interpolate(v, dim);
+    return true;
   }
 
 
@@ -179,7 +164,7 @@ namespace Thalweg
     if (boundary->conditions().has_open_boundary())
       return;
     double sum[2] = {0, 0};
-    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
+    for (unsigned int n = 0; n < p.nodal.locally_owned_size(); ++n)
       if (!space->is_dependent(n))
         {
           sum[0] += p.nodal.local_element(n);
@@ -195,59 +180,51 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::solve(const Vector &velocity_star, const double dt)
+  FractionalStep<dim>::balance_forces(const Vector &rate, const double duration)
   {
-    auto &statistics = context->statistics;
-    for (const char *column : {"pressure iterations", "viscous iterations"})
-      statistics.set(column, 0);
-    {
-      dealii::TimerOutput::Scope scope(context->timers, "assembly");
-      assemble_mass();
-      pressure_system->assemble();
-    }
-
-    v.copy_locally_owned_data_from(velocity_star);
-    boundary->apply(v);
-    space->interpolate(v, dim);
-
-    // The pressure that balances the forces on the convected velocity; the
-    // last step's is the initial guess.
-    SolveReport report;
-    {
-      dealii::TimerOutput::Scope scope(context->timers, "pressure");
-      p.nodal.zero_out_ghost_values();
-      pressure_system->apply_open_boundary(p.nodal);
-      space->interpolate(p.nodal, 1);
-      p.star.assign(phase->cut_cells().size(), 0.);
-      report = pressure_system->correct(
-        v, dt, true, p, pressure_tolerance, maximal_cg_iterations);
-      statistics.add("pressure iterations", report.iterations);
-      accelerate(p, true, dt);
-    }
-    {
-      dealii::TimerOutput::Scope scope(context->timers, "viscosity");
-      predict(dt); // (87b)
-    }
-
     dealii::TimerOutput::Scope scope(context->timers, "pressure");
+    // The last step's pressure is the initial guess.
+    p.nodal.zero_out_ghost_values();
+    pressure_system->apply_open_boundary(p.nodal);
+    space->interpolate(p.nodal, 1);
+    p.star.assign(phase->cut_cells().size(), 0.);
+    const SolveReport report = pressure_system->correct(
+      rate, true, p, pressure_tolerance, maximal_cg_iterations);
+    context->statistics.add("pressure iterations", report.iterations);
+    context->statistics.set("pressure residual", report.residual);
+    accelerate(p, true, duration);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::correct_pressure(const double duration)
+  {
+    dealii::TimerOutput::Scope scope(context->timers, "pressure");
+    auto                      &statistics = context->statistics;
     unsigned int               i          = 0;
     double                     difference = 1.;
     for (; i < iterations && difference > iteration_tolerance; ++i)
       {
         dp.nodal = 0.;
         dp.star.assign(phase->cut_cells().size(), 0.);
-        report =
-          pressure_system->correct(v,
-                                   dt,
+        change.copy_locally_owned_data_from(v);
+        change.add(-1., before_friction);
+        change *= 1. / duration;
+        space->interpolate(change, dim);
+        const SolveReport report =
+          pressure_system->correct(change,
                                    false,
                                    dp,
                                    pressure_tolerance,
-                                   maximal_cg_iterations,
-                                   i + 1 < iterations ? intermediate_reduction
-                                                      : 0.); // (87c,d)
+                                   maximal_cg_iterations); // (87c,d)
         statistics.add("pressure iterations", report.iterations);
+        if (report.iterations == 0)
+          break;
         change.copy_locally_owned_data_from(v);
-        accelerate(dp, false, dt); // (87e)
+        accelerate(dp, false, duration); // (87e)
+        change.zero_out_ghost_values();
         change.add(-1., v);
         const double norm = v.l2_norm();
         difference        = norm > 0 ? change.l2_norm() / norm : 0.;
@@ -257,10 +234,58 @@ namespace Thalweg
         for (unsigned int k = 0; k < p.star.size(); ++k)
           p.star[k] += dp.star[k];
       }
-    normalize_pressure();
     statistics.set("fractional step iterations", i);
-    statistics.set("pressure residual", report.residual);
-    statistics.set("velocity change", difference);
+    statistics.set("velocity change", i == 0 ? 0. : difference);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::remove_divergence()
+  {
+    dealii::TimerOutput::Scope scope(context->timers, "divergence");
+    const SolveReport          report = cell_projection->project(mass->lumped(),
+                                                        v,
+                                                        divergence_tolerance,
+                                                        maximal_cg_iterations);
+    context->statistics.set("divergence iterations", report.iterations);
+    context->statistics.set("divergence [1/s]", report.residual);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::solve(const Vector &velocity_star,
+                             const Vector &rate,
+                             const double  duration)
+  {
+    for (const char *column : {"pressure iterations",
+                               "viscous iterations",
+                               "fractional step iterations",
+                               "velocity change"})
+      context->statistics.set(column, 0);
+    {
+      dealii::TimerOutput::Scope scope(context->timers, "assembly");
+      mass->update();
+      pressure_system->assemble();
+    }
+    v.copy_locally_owned_data_from(velocity_star);
+    boundary->apply(v);
+    space->interpolate(v, dim);
+
+    balance_forces(rate, duration);
+    before_friction.copy_locally_owned_data_from(v);
+    bool has_friction = false;
+    {
+      dealii::TimerOutput::Scope scope(context->timers, "viscosity");
+      has_friction = predict(duration); // (87b)
+    }
+    if (has_friction)
+      correct_pressure(duration);
+    normalize_pressure();
+    remove_divergence();
   }
 
 

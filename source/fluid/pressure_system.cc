@@ -130,18 +130,15 @@ namespace Thalweg
   template <int dim>
   void
   PressureSystem<dim>::add_divergence(const unsigned int cell,
-                                      const Vector      &velocity,
-                                      const double       dt,
+                                      const Vector      &rate,
                                       Load              &load) const
   {
-    const auto u = gather_velocity<dim>(velocity, space.nodes(cell));
-    integrals.add_divergence(space.mesh().graph().cell(cell), u, load.nodal);
-    for (double &value : load.nodal)
-      value /= dt;
+    const auto r = gather_velocity<dim>(rate, space.nodes(cell));
+    integrals.add_divergence(space.mesh().graph().cell(cell), r, load.nodal);
     if (const CutCell<dim> *cut = enriched_cell(cell))
       for (unsigned int v = 0; v < load.nodal.size(); ++v)
         for (unsigned int d = 0; d < dim; ++d)
-          load.star -= cut->star_divergence[v][d] * u[dim * v + d] / dt;
+          load.star -= cut->star_divergence[v][d] * r[dim * v + d];
   }
 
 
@@ -198,18 +195,17 @@ namespace Thalweg
 
   template <int dim>
   void
-  PressureSystem<dim>::assemble_residual(const Vector           &velocity,
-                                         const double            dt,
+  PressureSystem<dim>::assemble_residual(const Vector           &rate,
                                          const bool              with_forces,
                                          const EnrichedPressure *pressure,
                                          std::vector<double>    &star_residual)
   {
     residual = 0.;
-    boundary.add_flux(-1. / dt, residual);
+    boundary.add_flux(rate, -1., residual);
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
         Load load;
-        add_divergence(c, velocity, dt, load);
+        add_divergence(c, rate, load);
         if (with_forces)
           add_forces(c, load);
         if (pressure)
@@ -234,13 +230,11 @@ namespace Thalweg
 
   template <int dim>
   SolveReport
-  PressureSystem<dim>::correct(const Vector      &velocity,
-                               const double       dt,
+  PressureSystem<dim>::correct(const Vector      &rate,
                                const bool         with_forces,
                                EnrichedPressure  &pressure,
                                const double       tolerance,
-                               const unsigned int maximal_iterations,
-                               const double       reduction)
+                               const unsigned int maximal_iterations)
   {
     constexpr unsigned int n    = 1 << dim;
     const auto            &cuts = phase.cut_cells();
@@ -253,17 +247,15 @@ namespace Thalweg
         space.initialize_scalar(given.nodal);
         apply_open_boundary(given.nodal);
         space.interpolate(given.nodal, 1);
-        assemble_residual(velocity, dt, true, &given, star_residual);
+        assemble_residual(rate, true, &given, star_residual);
         reference_norm = residual.l2_norm();
       }
-    assemble_residual(velocity,
-                      dt,
+    assemble_residual(rate,
                       with_forces,
                       with_forces ? &pressure : nullptr,
                       star_residual);
-    const SolveReport report = solve(std::max(tolerance * reference_norm,
-                                              reduction * residual.l2_norm()),
-                                     maximal_iterations);
+    const SolveReport report =
+      solve(tolerance * reference_norm, maximal_iterations);
     space.interpolate(increment, 1);
 
     pressure.nodal.zero_out_ghost_values();
@@ -308,6 +300,23 @@ namespace Thalweg
       }
     report.residual /= reference_norm;
     return report;
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::precondition(Vector &result, Vector &load) const
+  {
+    for (const auto &node : boundary.pressure_nodes())
+      if (node.node < load.locally_owned_size())
+        load.local_element(node.node) = 0.;
+    result.zero_out_ghost_values();
+    amg.vmult(result, load);
+    for (const auto &node : boundary.pressure_nodes())
+      if (node.node < load.locally_owned_size())
+        result.local_element(node.node) = 0.;
+    space.interpolate(result, 1);
   }
 
 

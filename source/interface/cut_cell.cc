@@ -41,8 +41,12 @@ namespace Thalweg
           cut.mass[i] += weight * density * point.values[i];
           cut.gradient[i] += inverse * point.gradients[i];
           for (unsigned int j = 0; j <= i; ++j)
-            cut.laplace[i][j] +=
-              inverse * (point.gradients[i] * point.gradients[j]);
+            {
+              cut.laplace[i][j] +=
+                inverse * (point.gradients[i] * point.gradients[j]);
+              cut.mass_matrix[i][j] +=
+                weight * density * point.values[i] * point.values[j];
+            }
           if (enrich)
             {
               cut.laplace_star[i] += inverse * (point.gradients[i] * grad_psi);
@@ -232,7 +236,10 @@ namespace Thalweg
       integrate_in_space(cut, cell, phi, w, fluids, enrich);
     for (unsigned int i = 0; i < phi.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
-        cut.laplace[j][i] = cut.laplace[i][j];
+        {
+          cut.laplace[j][i]     = cut.laplace[i][j];
+          cut.mass_matrix[j][i] = cut.mass_matrix[i][j];
+        }
     if (enrich)
       {
         add_continuous_gradient(cut, cell, w);

@@ -30,7 +30,8 @@ namespace Thalweg
   Pfem2<dim>::attach(const Parts<dim> &parts_)
   {
     parts = std::make_unique<Parts<dim>>(parts_);
-    for (Vector *vector : {&convecting_velocity, &old_velocity, &velocity_star})
+    for (Vector *vector :
+         {&convecting_velocity, &old_velocity, &velocity_star, &rate})
       parts->space.initialize_velocity(*vector);
     parts->space.initialize_scalar(level_set);
   }
@@ -100,6 +101,7 @@ namespace Thalweg
   {
     if (acceleration_time == 0)
       {
+        rate = 0.; // nothing has moved yet
         if (time_integration == "staggered" ||
             time_integration == "trapezoidal")
           accelerate(.5 * dt, time + .5 * dt);
@@ -164,12 +166,58 @@ namespace Thalweg
   {
     parts->projection.project(
       parts->population, parts->space, parts->fluids, velocity_star, level_set);
+    obey_slip_walls(velocity_star);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::obey_slip_walls(Vector &velocity) const
+  {
     // The particles around a node of a wall stand to one side of it, and their
     // mean has a normal component. If the solver took that away the particles
     // would be given the change, a blow each step that grows as steps shrink.
-    velocity_star.zero_out_ghost_values();
-    parts->boundary.project_slip(velocity_star);
-    parts->space.interpolate(velocity_star, dim);
+    velocity.zero_out_ghost_values();
+    parts->boundary.project_slip(velocity);
+    parts->space.interpolate(velocity, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::project_before_convection()
+  {
+    dealii::TimerOutput::Scope scope(parts->context.timers, "projection");
+    rate.zero_out_ghost_values();
+    rate.copy_locally_owned_data_from(velocity_star);
+    project_momentum(parts->population, parts->space, parts->fluids, rate);
+    obey_slip_walls(rate);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::find_rate(const double dt)
+  {
+    rate.zero_out_ghost_values();
+    rate.sadd(-1., 1., velocity_star);
+    parts->boundary.project(rate);
+    // Where velocities are given: the new ones less the old ones.
+    Vector given, old;
+    parts->space.initialize_velocity(given);
+    old.reinit(given);
+    old.copy_locally_owned_data_from(parts->flow.velocity());
+    given.copy_locally_owned_data_from(parts->flow.velocity());
+    parts->boundary.project(given);
+    old.add(-1., given);
+    given = 0.;
+    parts->boundary.apply(given);
+    rate.add(1., given, -1., old);
+    rate *= 1. / dt;
+    parts->space.interpolate(rate, dim);
   }
 
 
@@ -184,8 +232,8 @@ namespace Thalweg
     old_flow_time     = flow_time;
     flow_time         = time;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
-    parts->flow.solve(velocity_star, acceleration_time); // (87b) to (87e)
-    accelerate_particles(1.);                            // (87) 3
+    parts->flow.solve(velocity_star, rate, acceleration_time); // (87b) to (87e)
+    accelerate_particles(1.);                                  // (87) 3
   }
 
 
@@ -213,6 +261,7 @@ namespace Thalweg
     unsigned int     n_added, n_removed;
     accelerate_before_convection(time, dt);
     choose_convecting_velocity(time + .5 * dt);
+    project_before_convection();
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");
       report = convection.move(population, cell_velocity, dt); // (87a)
@@ -232,6 +281,8 @@ namespace Thalweg
       phase.rebuild(level_set);
     }
     const double end = end_of_acceleration(time + dt, dt);
+    conditions.set_time(end);
+    find_rate(dt);
     accelerate(time_integration == "trapezoidal" ? .5 * dt : end - flow_time,
                end); // (87b) to (87e), (87) 3
     {

@@ -6,9 +6,8 @@
 namespace Thalweg
 {
   /**
-   * @brief Averages with the shape functions as weights (Eq. 69); velocities
-   * with the particles' densities besides, so that it is momentum that is
-   * averaged across an interface.
+   * @brief Averages of the level set with the shape functions as weights
+   * (Eq. 69), and velocities by project_momentum().
    */
   template <int dim>
   class WeightedAverage : public Projection<dim>
@@ -36,57 +35,37 @@ namespace Thalweg
 
 
 
-    /// Sums over the particles, a value a node (dim for the momentum).
-    struct Sums
-    {
-      Vector weight, level_set, mass, momentum;
-    };
-
-
-
     template <int dim>
     void
     add_cell(const Population<dim> &population,
              const NodeSpace<dim>  &space,
-             const Fluids          &fluids,
              const unsigned int     cell,
              const double           band,
-             Sums                  &sums)
+             Vector                &sum_of_weights,
+             Vector                &sum)
     {
       const double limit = band * space.mesh().graph().cell(cell).edges().first;
-      constexpr unsigned int      n = 1 << dim;
-      std::array<double, n>       weight{}, level_set{}, mass{};
-      std::array<double, dim * n> momentum{};
+      constexpr unsigned int n = 1 << dim;
+      std::array<double, n>  weight{}, level_set{};
       for (const auto &particle : population.handler().particles_in_cell(
              population.mesh().graph().iterator(cell)))
         {
           const auto shape = Q1::values<dim>(particle.get_reference_location());
-          const auto properties = particle.get_properties();
-          const double phi =
-            std::clamp(properties[Population<dim>::level_set_offset],
-                       -limit,
-                       limit);
-          const double density = fluids.at(phi).density;
+          const double phi = std::clamp(
+            particle.get_properties()[Population<dim>::level_set_offset],
+            -limit,
+            limit);
           for (unsigned int v = 0; v < n; ++v)
             {
               weight[v] += shape[v];
               level_set[v] += shape[v] * phi;
-              mass[v] += shape[v] * density;
-              for (unsigned int d = 0; d < dim; ++d)
-                momentum[dim * v + d] +=
-                  shape[v] * density *
-                  properties[Population<dim>::velocity_offset + d];
             }
         }
       const auto &nodes = space.nodes(cell);
       for (unsigned int v = 0; v < n; ++v)
         {
-          sums.weight.local_element(nodes[v]) += weight[v];
-          sums.level_set.local_element(nodes[v]) += level_set[v];
-          sums.mass.local_element(nodes[v]) += mass[v];
-          for (unsigned int d = 0; d < dim; ++d)
-            sums.momentum.local_element(dim * nodes[v] + d) +=
-              momentum[dim * v + d];
+          sum_of_weights.local_element(nodes[v]) += weight[v];
+          sum.local_element(nodes[v]) += level_set[v];
         }
     }
   } // namespace
@@ -101,28 +80,20 @@ namespace Thalweg
                                 Vector                &velocity,
                                 Vector                &level_set) const
   {
-    Sums sums;
-    for (Vector *scalar : {&sums.weight, &sums.level_set, &sums.mass})
-      space.initialize_scalar(*scalar);
-    space.initialize_velocity(sums.momentum);
-    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      add_cell(population, space, fluids, c, this->band, sums);
-    for (Vector *scalar : {&sums.weight, &sums.level_set, &sums.mass})
-      space.fold(*scalar, 1);
-    space.fold(sums.momentum, dim);
+    project_momentum(population, space, fluids, velocity);
 
-    for (unsigned int n = 0; n < sums.weight.locally_owned_size(); ++n)
-      if (sums.weight.local_element(n) > negligible_weight)
-        {
-          level_set.local_element(n) =
-            sums.level_set.local_element(n) / sums.weight.local_element(n);
-          for (unsigned int d = 0; d < dim; ++d)
-            velocity.local_element(dim * n + d) =
-              sums.momentum.local_element(dim * n + d) /
-              sums.mass.local_element(n);
-        }
+    Vector weight, sum;
+    space.initialize_scalar(weight);
+    space.initialize_scalar(sum);
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      add_cell(population, space, c, this->band, weight, sum);
+    space.fold(weight, 1);
+    space.fold(sum, 1);
+    for (unsigned int n = 0; n < weight.locally_owned_size(); ++n)
+      if (weight.local_element(n) > negligible_weight)
+        level_set.local_element(n) =
+          sum.local_element(n) / weight.local_element(n);
     space.interpolate(level_set, 1);
-    space.interpolate(velocity, dim);
   }
 
 
@@ -131,6 +102,5 @@ namespace Thalweg
   THALWEG_REGISTER(Projection,
                    WeightedAverage,
                    "weighted average",
-                   "means with the shape functions as weights, velocities "
-                   "with the densities besides (Eq. 69)")
+                   "means with the shape functions as weights (Eq. 69)")
 } // namespace Thalweg

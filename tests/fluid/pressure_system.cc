@@ -35,7 +35,10 @@ namespace
     system.apply_open_boundary(p.nodal);
     scene.space->interpolate(p.nodal, 1);
     system.assemble();
-    system.correct(velocity, dt, with_forces, p, 1e-12, 1000);
+    Vector rate = velocity;
+    rate *= 1. / dt;
+    rate.update_ghost_values();
+    system.correct(rate, with_forces, p, 1e-12, 1000);
     return p;
   }
 

@@ -48,12 +48,13 @@ namespace Thalweg
     }
 
     /**
-     * @brief Adds @p factor times the integral of N_i (V_D . n) in m^dim/s
-     * over the boundaries with a given velocity to @p scalar (this rank's
-     * cells; not yet folded).
+     * @brief Adds @p factor times the integral of N_i (@p field . n) over the
+     * boundaries with a given velocity to @p scalar (this rank's cells; not
+     * yet folded).
+     * @param field at the nodes, ghosted and consistent
      */
     void
-    add_flux(const double factor, Vector &scalar) const;
+    add_flux(const Vector &field, const double factor, Vector &scalar) const;
 
     /// A face at the boundary, with two to eight points for integrals.
     struct Face

@@ -34,11 +34,18 @@ namespace Thalweg
     /**
      * @brief From the convected velocity to that at the end of the step.
      * @param velocity_star projected from the particles, ghosted, m/s
-     * @param dt s
+     * @param rate at which the projected velocity has changed by the
+     *   particles' motion, in agreement with the boundary conditions: ghosted,
+     *   m/s^2. The pressure answers to this, not to what velocity_star is in
+     *   all, in which the errors of the projection do not become less as
+     *   steps do.
+     * @param duration of the acceleration, s
      * @throws SolverFailure
      */
     virtual void
-    solve(const Vector &velocity_star, const double dt) = 0;
+    solve(const Vector &velocity_star,
+          const Vector &rate,
+          const double  duration) = 0;
 
     /// Names what the next step starts from.
     virtual void

@@ -1,7 +1,9 @@
 #ifndef thalweg_fluid_fractional_step_h
 #define thalweg_fluid_fractional_step_h
 
+#include <thalweg/fluid/cell_projection.h>
 #include <thalweg/fluid/fluid_solver.h>
+#include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/fluid/pressure_system.h>
 #include <thalweg/fluid/viscous_operator.h>
 
@@ -11,10 +13,11 @@ namespace Thalweg
    * @brief The fractional step for one or two fluids (Eq. 87) with equal
    * order Q1 velocity and enriched Q1 pressure.
    *
-   * The pressure of the convected velocity and the body forces is found
-   * first, so that the viscous predictor sees balanced forces (fluids at
-   * rest stay at rest, and a steady viscous flow has no splitting error);
-   * then steps B to D repeat until the velocity no longer changes.
+   * The pressure of the convection and the body forces is found first, so
+   * that the viscous predictor sees balanced forces (fluids at rest stay at
+   * rest, and a steady viscous flow has no splitting error); then the pressure
+   * that friction asks for, repeated until the velocity no longer changes. At
+   * last the velocity is made free of divergence, cell by cell.
    */
   template <int dim>
   class FractionalStep : public FluidSolver<dim>
@@ -31,7 +34,9 @@ namespace Thalweg
                const BodyForces<dim>    &forces) override;
 
     void
-    solve(const Vector &velocity_star, const double dt) override;
+    solve(const Vector &velocity_star,
+          const Vector &rate,
+          const double  duration) override;
 
     void
     keep(const State<dim> &state) override
@@ -53,19 +58,33 @@ namespace Thalweg
     }
 
   private:
-    /// Lumped masses M(rho) for the present phases.
-    void
-    assemble_mass();
-
-    /// v += dt M^{-1} (forces - int N grad p), then boundary values.
+    /// v += duration M^{-1} (forces - int N grad p), then boundary values.
     void
     accelerate(const EnrichedPressure &pressure,
                const bool              with_forces,
-               const double            dt);
+               const double            duration);
+
+    /// Adds int N_i f of the force density to @ref force.
+    void
+    add_force_density();
+
+    /// The pressure of @p rate and the body forces, and v with it.
+    void
+    balance_forces(const Vector &rate, const double duration);
 
     /// (87b): v += (M/dt + K)^{-1} (-K v)
-    void
+    /// @return whether friction changes anything
+    bool
     predict(const double dt);
+
+    /// (87c) to (87e): the pressure that takes the divergence out of what
+    /// friction has changed.
+    void
+    correct_pressure(const double duration);
+
+    /// Makes v free of divergence.
+    void
+    remove_divergence();
 
     /// Ends the step: removes the constant of the pressure where it is free.
     void
@@ -73,7 +92,8 @@ namespace Thalweg
 
     unsigned int iterations            = 4;
     double       iteration_tolerance   = 1e-4;
-    double       pressure_tolerance    = 1e-5;
+    double       pressure_tolerance    = 1e-8;
+    double       divergence_tolerance  = 1e-2;
     double       velocity_tolerance    = 1e-8;
     unsigned int maximal_cg_iterations = 1000;
 
@@ -83,11 +103,13 @@ namespace Thalweg
     const PhaseField<dim>                *phase    = nullptr;
     const BodyForces<dim>                *forces   = nullptr;
     Q1Integrals<dim>                      integrals;
+    std::unique_ptr<NodalMass<dim>>       mass;
     std::unique_ptr<PressureSystem<dim>>  pressure_system;
+    std::unique_ptr<CellProjection<dim>>  cell_projection;
     std::unique_ptr<ViscousOperator<dim>> viscous;
-    Vector                                mass;
     Vector                                force;
     Vector                                change;
+    Vector                                before_friction;
     Vector                                v;
     EnrichedPressure                      p;
     EnrichedPressure                      dp;

@@ -58,9 +58,22 @@ namespace Thalweg
     void
     choose_convecting_velocity(const double time);
 
+    /// V* of the particles before they move.
+    void
+    project_before_convection();
+
     /// V* and the level set from the particles, V* as slip walls admit it.
     void
     project_particles();
+
+    /// What the motion of the particles has changed of V* in the time @p dt,
+    /// where velocities are given what the conditions have changed of them.
+    void
+    find_rate(const double dt);
+
+    /// Without the normal components at slip walls, and ghosted.
+    void
+    obey_slip_walls(Vector &velocity) const;
 
     /// When the velocity of the mesh is to be after a step to @p time.
     double
@@ -82,9 +95,11 @@ namespace Thalweg
     Vector                      convecting_velocity;
     Vector                      old_velocity;
     Vector                      velocity_star;
-    Vector                      level_set;
-    CellVelocity<dim>           cell_velocity;
-    CellField<dim, 1>           cell_level_set;
+    /// V* before the particles moved, then the rate at which it changed.
+    Vector            rate;
+    Vector            level_set;
+    CellVelocity<dim> cell_velocity;
+    CellField<dim, 1> cell_level_set;
     /// The times of the flow's velocity and of the old one.
     double flow_time     = 0;
     double old_flow_time = 0;

@@ -43,6 +43,27 @@ namespace Thalweg
     double band = std::numeric_limits<double>::infinity();
   };
 
+  /**
+   * @brief V* from the particles' momentum: means with the shape functions and
+   * the densities as weights (Eq. 69), and once more the means of what they
+   * leave, V* = P V_p + P (V_p - N P V_p).
+   *
+   * Beside a surface or a wall the particles around a node stand to one side
+   * of it, and their mean is off by their distance times the velocity's
+   * gradient: of first order. What they miss of it tells the difference. The
+   * first two terms of the series for the least squares with the particles'
+   * masses; never more than twice as sensitive to single particles as means.
+   *
+   * @param velocity in: what stays at nodes that no particle reaches; out:
+   *   ghosted, m/s
+   */
+  template <int dim>
+  void
+  project_momentum(const Population<dim> &population,
+                   const NodeSpace<dim>  &space,
+                   const Fluids          &fluids,
+                   Vector                &velocity);
+
   /// V_p += factor (V^{n+1} - V*)(x_p), Eq. 81e and 87.
   template <int dim>
   void

@@ -1,0 +1,132 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/gather.h>
+#include <thalweg/fluid/nodal_mass.h>
+
+namespace Thalweg
+{
+  template <int dim>
+  NodalMass<dim>::NodalMass(const NodeSpace<dim>     &space,
+                            const BoundaryNodes<dim> &boundary,
+                            const PhaseField<dim>    &phase)
+    : space(space)
+    , boundary(boundary)
+    , phase(phase)
+  {
+    for (unsigned int i = 0; i < n_vertices; ++i)
+      for (unsigned int j = 0; j < n_vertices; ++j)
+        {
+          table[i][j] = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            table[i][j] *= ((i ^ j) >> d) & 1u ? 1. / 6. : 1. / 3.;
+        }
+    space.initialize_scalar(mass);
+    space.initialize_velocity(difference);
+  }
+
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::update()
+  {
+    const CellGraph<dim> &graph = space.mesh().graph();
+    mass                        = 0.;
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const int cut_index = phase.cut_index(c);
+        auto      local = cut_index < 0 ? integrals.node_measures(graph.cell(c))
+                                        : phase.cut_cells()[cut_index].mass;
+        if (cut_index < 0)
+          for (double &value : local)
+            value *= phase.fluid(c).density;
+        for (unsigned int i = 0; i < local.size(); ++i)
+          mass.local_element(space.nodes(c)[i]) += local[i];
+      }
+    space.fold(mass, 1);
+  }
+
+
+
+  template <int dim>
+  typename NodalMass<dim>::CellMatrix
+  NodalMass<dim>::mass_matrix(const unsigned int cell) const
+  {
+    const int cut_index = phase.cut_index(cell);
+    if (cut_index >= 0)
+      return phase.cut_cells()[cut_index].mass_matrix;
+    CellMatrix   matrix = table;
+    const double factor =
+      space.mesh().graph().cell(cell).measure * phase.fluid(cell).density;
+    for (auto &row : matrix)
+      for (double &entry : row)
+        entry *= factor;
+    return matrix;
+  }
+
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::add_difference(const Vector &acceleration,
+                                 Vector       &result) const
+  {
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      {
+        const auto      &nodes  = space.nodes(c);
+        const CellMatrix matrix = mass_matrix(c);
+        const auto       a      = gather_velocity<dim>(acceleration, nodes);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              double sum = 0;
+              for (unsigned int j = 0; j < n_vertices; ++j)
+                sum += matrix[i][j] * (a[dim * i + d] - a[dim * j + d]);
+              result.local_element(dim * nodes[i] + d) += sum;
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::divide(Vector &vector) const
+  {
+    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        vector.local_element(dim * n + d) =
+          space.is_dependent(n)
+            ? 0.
+            : vector.local_element(dim * n + d) / mass.local_element(n);
+  }
+
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::accelerate(Vector                       &vector,
+                             const dealii::Tensor<1, dim> &uniform) const
+  {
+    vector.zero_out_ghost_values();
+    divide(vector);
+    if (uniform.norm_square() > 0)
+      for (unsigned int i = 0; i < dim * mass.locally_owned_size(); ++i)
+        vector.local_element(i) += uniform[i % dim];
+    boundary.project_slip(vector);
+    space.interpolate(vector, dim);
+
+    difference = 0.;
+    add_difference(vector, difference);
+    space.fold(difference, dim);
+    difference.zero_out_ghost_values();
+    divide(difference);
+    boundary.project_slip(difference);
+    vector.zero_out_ghost_values();
+    vector.add(1., difference);
+    space.interpolate(vector, dim);
+  }
+
+
+
+  THALWEG_INSTANTIATE(NodalMass)
+} // namespace Thalweg

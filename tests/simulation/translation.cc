@@ -4,6 +4,7 @@
 
 #include "run_case.h"
 #include "support/input.h"
+#include "support/irregular_mesh.h"
 
 namespace
 {
@@ -26,6 +27,23 @@ namespace
            " set Level set = sqrt((x-0.5)^2 + (y-0.5)^2) - 0.2\nend\n"
            "subsection Fluid solver\n subsection fractional step\n"
            "  set Pressure tolerance = 1e-12\n end\nend\n";
+  }
+
+
+
+  /// The same in any mesh of the unit square.
+  std::string
+  drop_in(const std::string &mesh, const std::string &dt)
+  {
+    return mesh + section("Boundary conditions", {"Velocity = 0: 1; 0.5"}) +
+           section("Time",
+                   {"Time step = " + dt,
+                    "End time = " + std::to_string(10 * std::stod(dt))}) +
+           section("Fluids", {}, section("Second fluid", {"Density = 1"})) +
+           section("Initial conditions",
+                   {"Velocity = 1; 0.5",
+                    "Level set = sqrt((x-0.5)^2 + (y-0.5)^2) - 0.2"}) +
+           tight_solver("1e-12", "1e-8");
   }
 
 
@@ -55,6 +73,20 @@ TEST(Translation, UniformFlowStaysUniformAcrossHangingNodes)
 {
   EXPECT_LT(deviation(RunCase<2>(drop("0.05", "0.5", "if(x < 0.5, 1, 0)"))),
             1e-7);
+}
+
+
+
+TEST(Translation, UniformFlowStaysUniformInCellsOfAnyShape)
+{
+  for (const bool triangles : {false, true})
+    {
+      const IrregularMesh<2> mesh(8, triangles ? .2 : .3, triangles);
+      for (const std::string dt : {"0.001", "0.05"})
+        EXPECT_LT(deviation(RunCase<2>(drop_in(mesh.geometry(triangles), dt))),
+                  1e-7)
+          << triangles << dt;
+    }
 }
 
 

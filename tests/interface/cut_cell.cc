@@ -1,14 +1,10 @@
 #include <thalweg/fields/q1_integrals.h>
-#include <thalweg/interface/cut_cell.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "cut_cells.h"
 #include "support/dimensions.h"
-#include "support/meshes.h"
-#include "support/scene.h"
 
 using namespace Thalweg;
+using namespace CutCells;
 
 namespace
 {
@@ -16,119 +12,6 @@ namespace
   class CutCellTest : public testing::Test
   {};
   TYPED_TEST_SUITE(CutCellTest, Dimensions);
-
-  constexpr double rho[2] = {1000., 2.};
-  constexpr double mu[2]  = {5., .1};
-
-  /// A plane with positive slopes.
-  template <int dim>
-  struct Plane
-  {
-    dealii::Tensor<1, dim> slope;
-    double                 level;
-
-    double
-    operator()(const dealii::Point<dim> &x) const
-    {
-      return slope * x - level;
-    }
-
-    /// The part of a cube with edges @p h and least corner @p corner where
-    /// this is negative: signed corner volumes beyond each vertex.
-    double
-    fraction(const dealii::Point<dim> &corner, const double h) const
-    {
-      double sum = 0, factor = 1.;
-      for (unsigned int v = 0; v < (1u << dim); ++v)
-        {
-          double rest = -(*this)(corner), sign = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            if ((v >> d) & 1u)
-              {
-                rest -= h * slope[d];
-                sign = -sign;
-              }
-          sum += sign * std::pow(std::max(rest, 0.), dim);
-        }
-      for (unsigned int d = 0; d < dim; ++d)
-        factor *= (d + 1) * h * slope[d];
-      return sum / factor;
-    }
-  };
-
-
-  template <int dim>
-  Plane<dim>
-  tilted(const double level)
-  {
-    Plane<dim> plane;
-    for (unsigned int d = 0; d < dim; ++d)
-      plane.slope[d] = .4 + .3 * d;
-    plane.slope /= plane.slope.norm();
-    plane.level = level;
-    return plane;
-  }
-
-
-  /// A scene with one cell, or some bent ones, and two fluids.
-  template <int dim>
-  struct Cells : Scene<dim>
-  {
-    explicit Cells(const unsigned int n = 1, const bool bent = false)
-      : Scene<dim>(unit_box<dim>(n) + two_fluids(rho[0], rho[1], mu[0], mu[1]),
-                   bent ? typename Scene<dim>::MeshChange(
-                            [](auto &mesh) { Meshes::distort(mesh, .1); })
-                        : typename Scene<dim>::MeshChange())
-    {}
-
-    const typename CellGraph<dim>::Cell &
-    cell(const unsigned int index = 0) const
-    {
-      return this->mesh.graph().cell(index);
-    }
-
-    template <typename Function>
-    std::array<double, (1 << dim)>
-    nodal(const Function &function, const unsigned int index = 0) const
-    {
-      std::array<double, (1 << dim)> values;
-      for (unsigned int v = 0; v < values.size(); ++v)
-        values[v] = function(cell(index).vertices[v]);
-      return values;
-    }
-
-    CutCell<dim>
-    cut(const Plane<dim> &plane, const unsigned int index = 0) const
-    {
-      return integrate_cut_cell<dim>(
-        index,
-        cell(index),
-        nodal(plane, index),
-        nodal([&](const auto &x) { return std::abs(plane(x)); }, index),
-        this->fluids,
-        true);
-    }
-  };
-
-
-  /// A plane normal to the last axis, at @p height.
-  template <int dim>
-  Plane<dim>
-  flat(const double height)
-  {
-    Plane<dim> plane;
-    plane.slope[dim - 1] = 1.;
-    plane.level          = height;
-    return plane;
-  }
-
-  /// Whether vertex @p v is one of the upper ones.
-  template <int dim>
-  bool
-  is_upper(const unsigned int v)
-  {
-    return (v >> (dim - 1)) & 1u;
-  }
 } // namespace
 
 
@@ -304,55 +187,6 @@ TYPED_TEST(CutCellTest, StarGradientAndStarDivergenceBelongTogether)
         EXPECT_NEAR(divergence.norm(), 0., 1e-14);
         EXPECT_NEAR(laplace, 0., 1e-14);
       }
-}
-
-
-
-TYPED_TEST(CutCellTest, HydrostaticPressureBalancesGravityInBentCells)
-{
-  constexpr int          dim = TypeParam::value;
-  const Cells<dim>       cells(3, true);
-  const Q1Integrals<dim> integrals;
-  const auto             plane = tilted<dim>(.6);
-  const auto             g     = -9.81 * plane.slope;
-  unsigned int           n_cut = 0;
-  for (unsigned int c = 0; c < cells.mesh.graph().n_owned_cells(); ++c)
-    {
-      const auto phi = cells.nodal(plane, c);
-      if (*std::min_element(phi.begin(), phi.end()) >= 0. ||
-          *std::max_element(phi.begin(), phi.end()) <= 0.)
-        continue;
-      ++n_cut;
-      const auto &cell = cells.cell(c);
-      const auto  cut  = cells.cut(plane, c);
-      // p = rho g . x on both sides; psi is scaled by the largest |phi|.
-      double                         scale = 0.;
-      std::array<double, (1 << dim)> p;
-      for (unsigned int v = 0; v < p.size(); ++v)
-        {
-          scale = std::max(scale, std::abs(phi[v]));
-          p[v]  = -9.81 * phi[v] * rho[phi[v] < 0 ? 0 : 1];
-        }
-      const double star = -9.81 * .5 * (rho[0] - rho[1]) * scale;
-      typename Q1Integrals<dim>::Velocity force{};
-      integrals.add_gradient(cell, p, force);
-      const auto loads    = integrals.gradient_integrals(cell);
-      double     star_row = g * cut.star_load - cut.laplace_star_star * star;
-      for (unsigned int i = 0; i < p.size(); ++i)
-        {
-          double row = g * loads[i] - cut.laplace_star[i] * star;
-          for (unsigned int j = 0; j < p.size(); ++j)
-            row -= cut.laplace[i][j] * p[j];
-          EXPECT_NEAR(row, 0., 1e-12);
-          star_row -= cut.laplace_star[i] * p[i];
-          for (unsigned int d = 0; d < dim; ++d)
-            EXPECT_NEAR(force[dim * i + d] + cut.star_gradient[i][d] * star,
-                        cut.mass[i] * g[d],
-                        1e-12 * rho[0]);
-        }
-      EXPECT_NEAR(star_row, 0., 1e-12);
-    }
-  EXPECT_GT(n_cut, 2u);
 }
 
 

@@ -55,7 +55,7 @@ namespace Thalweg
         std::abs(norm - 1.) < like_a_distance)
       return phi;
     if (first.roughest > edge * first.steepest)
-      return phi / first.steepest;
+      return phi / std::max(1., first.steepest);
 
     dealii::Point<dim> zero  = x;
     double             value = phi;

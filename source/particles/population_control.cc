@@ -206,8 +206,12 @@ namespace Thalweg
   PopulationControl<dim>::level_set_value(const Foot<dim> &foot) const
   {
     const auto   inflow = inflow_level_set.find(foot.boundary);
+    // Where the same fluid is inside already the distance goes on.
     const double value =
-      inflow == inflow_level_set.end() ? foot.level_set : inflow->second;
+      inflow == inflow_level_set.end() ||
+          (foot.level_set < 0) == (inflow->second < 0)
+        ? foot.level_set
+        : inflow->second;
     if (!parameters.level_set_is_sign)
       return value;
     return value < 0 ? -1. : 1.;

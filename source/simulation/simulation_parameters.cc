@@ -47,8 +47,8 @@ namespace Thalweg
                   initial_level_set,
                   "m",
                   "A function of x, y and z that is negative in the first "
-                  "fluid and positive in the second; a signed distance, or "
-                  "anything with the right sign if the particles carry signs.",
+                  "fluid and positive in the second. It need not be a "
+                  "distance: particles that carry one find it.",
                   dealii::Patterns::Anything());
     }
     boundary_conditions.declare(root);
@@ -61,16 +61,18 @@ namespace Thalweg
                   particles_carry,
                   "",
                   "What tells the fluids apart: the sign of the level set "
-                  "(Eq. 69), or its initial value cut off at the distance "
-                  "band, which makes for a smoother interface and keeps the "
-                  "volume better.",
-                  dealii::Patterns::Selection("sign|distance"));
+                  "(Eq. 69), or the distance from where it vanishes at the "
+                  "start, which makes for a smoother interface and keeps the "
+                  "volume better; or its value as it is, whatever that means "
+                  "(a concentration).",
+                  dealii::Patterns::Selection("sign|distance|value"));
       section.add("Distance band",
                   distance_band,
                   "",
-                  "At how many times the shortest edge of the mesh the "
-                  "distance that particles carry is cut off: farther away it "
-                  "says nothing, and would be distorted by the flow.",
+                  "At how many times the shortest edge of a particle's cell "
+                  "the distance that it carries is cut off before it is "
+                  "projected, where the flow has distorted distances: those "
+                  "from farther away say nothing about the surface.",
                   dealii::Patterns::Double(0));
     }
     {

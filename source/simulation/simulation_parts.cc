@@ -172,8 +172,9 @@ namespace Thalweg
                                   context.communicator));
     const bool sign_only = parameters.particles_carry == "sign";
     const dealii::Function<dim> &level_set =
-      sign_only ? static_cast<const dealii::Function<dim> &>(*expression)
-                : distance;
+      parameters.particles_carry == "distance"
+        ? static_cast<const dealii::Function<dim> &>(distance)
+        : *expression;
     population.handler().clear_particles();
     seed(population,
          parameters.seeding,

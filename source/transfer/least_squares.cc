@@ -9,9 +9,8 @@ namespace Thalweg
   namespace
   {
     /// Where particles miss their plane by this part of their distance from
-    /// the node, the plane and the average of values that are cut off count
-    /// alike.
-    constexpr double middle_misfit = .05;
+    /// the node, it and the plane of values that are cut off count alike.
+    constexpr double middle_misfit = .02;
 
     /// The square of a misfit that is nothing but round-off, in parts of the
     /// square of what is fitted.
@@ -95,13 +94,22 @@ namespace Thalweg
       double spread = 0.;
       for (unsigned int i = 1; i < n; ++i)
         spread += matrix[i][i];
-      const auto   plane  = fit.solve(load);
-      const double misfit = sums[k] - plane.explained;
+      const auto plane  = fit.solve(load);
+      double     misfit = sums[k] - plane.explained;
+      // Two layers of particles lie on a plane whatever they carry, but not on
+      // that of a distance.
+      double slope = 0.;
+      for (unsigned int i = 1; i < n; ++i)
+        slope += plane.unknowns[i] * plane.unknowns[i];
+      slope = std::sqrt(slope);
+      if (slope > 1.)
+        misfit += spread * (slope - 1.) * (slope - 1.);
       if (misfit <= round_off * sums[k])
-        return plane.first;
+        return plane.unknowns[0];
       const double part =
         1. / (1. + misfit / (middle_misfit * middle_misfit * spread));
-      return part * plane.first + (1. - part) * fit.solve(cut_off_load).first;
+      return part * plane.unknowns[0] +
+             (1. - part) * fit.solve(cut_off_load).unknowns[0];
     }
   } // namespace
 
@@ -139,19 +147,16 @@ namespace Thalweg
             Vector                &level_set) const override;
 
   private:
-    /// What the particles of a cell say to nodes.
-    struct CellSums
-    {
-      std::vector<Target<dim>>  targets;
-      std::vector<Moments<dim>> moments;
-    };
+    using NodalMoments = std::vector<Moments<dim>>;
 
+    /// Adds the particles of a cell to the nodes around them.
     void
-    accumulate(const Population<dim> &population,
-               const NodeSpace<dim>  &space,
-               const unsigned int     cell,
-               const double           length,
-               CellSums              &sums) const;
+    accumulate(const Population<dim>    &population,
+               const NodeSpace<dim>     &space,
+               const unsigned int        cell,
+               const double              length,
+               std::vector<Target<dim>> &targets,
+               NodalMoments             &nodal) const;
 
     static void
     find_targets(const NodeSpace<dim>     &space,
@@ -210,35 +215,57 @@ namespace Thalweg
 
   template <int dim>
   void
-  LeastSquares<dim>::accumulate(const Population<dim> &population,
-                                const NodeSpace<dim>  &space,
-                                const unsigned int     cell,
-                                const double           length,
-                                CellSums              &sums) const
+  LeastSquares<dim>::accumulate(const Population<dim>    &population,
+                                const NodeSpace<dim>     &space,
+                                const unsigned int        cell,
+                                const double              length,
+                                std::vector<Target<dim>> &targets,
+                                NodalMoments             &nodal) const
   {
-    const CellGraph<dim> &graph = space.mesh().graph();
-    const double          limit = this->band * graph.cell(cell).edges().first;
-    find_targets(space, cell, sums.targets);
-    sums.moments.assign(sums.targets.size(), {});
+    const CellGraph<dim> &graph   = space.mesh().graph();
+    const auto           &nodes   = space.nodes(cell);
+    const double          inverse = 1. / length;
+    const double limit = this->band * graph.cell(cell).edges().first * inverse;
+    const bool   is_hanging =
+      std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int node) {
+        const auto masters = space.hanging_masters(node);
+        return masters.first != masters.second;
+      });
+    if (is_hanging)
+      find_targets(space, cell, targets);
+
+    std::array<Moments<dim>, (1 << dim)> moments;
     for (const auto &particle :
          population.handler().particles_in_cell(graph.iterator(cell)))
       {
         const auto   shape = Q1::values<dim>(particle.get_reference_location());
         const auto  &x     = particle.get_location();
         const double phi =
-          particle.get_properties()[Population<dim>::level_set_offset];
+          particle.get_properties()[Population<dim>::level_set_offset] *
+          inverse;
         const double cut_off = std::clamp(phi, -limit, limit);
-        for (unsigned int t = 0; t < sums.targets.size(); ++t)
-          {
-            double weight = 0;
-            for (unsigned int v = 0; v < shape.size(); ++v)
-              weight += sums.targets[t].coefficients[v] * shape[v];
-            sums.moments[t].add(weight,
-                                (x - sums.targets[t].position) / length,
-                                phi / length,
-                                cut_off / length);
-          }
+        if (!is_hanging)
+          for (unsigned int v = 0; v < nodes.size(); ++v)
+            moments[v].add(shape[v],
+                           (x - graph.cell(cell).vertices[v]) * inverse,
+                           phi,
+                           cut_off);
+        else
+          for (const Target<dim> &target : targets)
+            {
+              double weight = 0;
+              for (unsigned int v = 0; v < shape.size(); ++v)
+                weight += target.coefficients[v] * shape[v];
+              nodal[target.node].add(weight,
+                                     (x - target.position) * inverse,
+                                     phi,
+                                     cut_off);
+            }
       }
+    if (!is_hanging)
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        for (unsigned int k = 0; k < Moments<dim>::size; ++k)
+          nodal[nodes[v]].sums[k] += moments[v].sums[k];
   }
 
 
@@ -258,30 +285,30 @@ namespace Thalweg
     const double length = dealii::Utilities::MPI::min(
       space.mesh().graph().minimal_extent(),
       space.mesh().triangulation().get_communicator());
-    std::array<Vector, Moments<dim>::size> nodal;
-    for (Vector &vector : nodal)
-      space.initialize_scalar(vector);
-    CellSums sums;
+    const unsigned int n_owned = level_set.locally_owned_size();
+    const unsigned int n_nodes =
+      n_owned + level_set.get_partitioner()->n_ghost_indices();
+    NodalMoments             nodal(n_nodes);
+    std::vector<Target<dim>> targets;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      accumulate(population, space, c, length, targets, nodal);
+
+    Vector sums;
+    space.initialize_scalar(sums);
+    for (unsigned int k = 0; k < Moments<dim>::size; ++k)
       {
-        accumulate(population, space, c, length, sums);
-        for (unsigned int t = 0; t < sums.targets.size(); ++t)
-          for (unsigned int k = 0; k < nodal.size(); ++k)
-            nodal[k].local_element(sums.targets[t].node) +=
-              sums.moments[t].sums[k];
+        sums.zero_out_ghost_values();
+        for (unsigned int node = 0; node < n_nodes; ++node)
+          sums.local_element(node) = nodal[node].sums[k];
+        space.fold(sums, 1);
+        for (unsigned int node = 0; node < n_owned; ++node)
+          nodal[node].sums[k] = sums.local_element(node);
       }
-    for (Vector &vector : nodal)
-      space.fold(vector, 1);
 
     level_set.zero_out_ghost_values();
-    Moments<dim> moments;
-    for (unsigned int node = 0; node < level_set.locally_owned_size(); ++node)
-      {
-        for (unsigned int k = 0; k < nodal.size(); ++k)
-          moments.sums[k] = nodal[k].local_element(node);
-        if (const auto value = moments.value())
-          level_set.local_element(node) = *value * length;
-      }
+    for (unsigned int node = 0; node < n_owned; ++node)
+      if (const auto value = nodal[node].value())
+        level_set.local_element(node) = *value * length;
     space.interpolate(level_set, 1);
   }
 

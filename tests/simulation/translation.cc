@@ -4,6 +4,7 @@
 
 #include "run_case.h"
 #include "support/input.h"
+#include "support/irregular_mesh.h"
 
 namespace
 {
@@ -30,8 +31,29 @@ namespace
 
 
 
+  /// A drop, in 3D a cylinder, in any mesh of the unit box.
+  template <int dim>
+  std::string
+  drop_in(const std::string &mesh, const std::string &dt)
+  {
+    const std::string velocity = dim == 2 ? "1; 0.5" : "1; 0.5; 0";
+    return mesh +
+           section("Boundary conditions", {"Velocity = 0: " + velocity}) +
+           section("Time",
+                   {"Time step = " + dt,
+                    "End time = " + std::to_string(10 * std::stod(dt))}) +
+           section("Fluids", {}, section("Second fluid", {"Density = 1"})) +
+           section("Initial conditions",
+                   {"Velocity = " + velocity,
+                    "Level set = sqrt((x-0.5)^2 + (y-0.5)^2) - 0.2"}) +
+           tight_solver("1e-12", "1e-8");
+  }
+
+
+
+  template <int dim>
   double
-  deviation(const RunCase<2> &run)
+  deviation(const RunCase<dim> &run)
   {
     const double U = std::sqrt(1.25);
     return std::max(std::abs(run.last("max velocity 1 [m/s]") - U),
@@ -54,6 +76,29 @@ TEST(Translation, UniformFlowStaysUniformAtAnyTimeStep)
 TEST(Translation, UniformFlowStaysUniformAcrossHangingNodes)
 {
   EXPECT_LT(deviation(RunCase<2>(drop("0.05", "0.5", "if(x < 0.5, 1, 0)"))),
+            1e-7);
+}
+
+
+
+TEST(Translation, UniformFlowStaysUniformInCellsOfAnyShape)
+{
+  for (const bool triangles : {false, true})
+    {
+      const IrregularMesh<2> mesh(8, triangles ? .2 : .3, triangles);
+      for (const std::string dt : {"0.001", "0.05"})
+        EXPECT_LT(
+          deviation(RunCase<2>(drop_in<2>(mesh.geometry(triangles), dt))), 1e-7)
+          << triangles << dt;
+    }
+}
+
+
+
+TEST(Translation, UniformFlowStaysUniformInCellsOfAnyShape3d)
+{
+  const IrregularMesh<3> mesh(4, .2, false);
+  EXPECT_LT(deviation(RunCase<3>(drop_in<3>(mesh.geometry(false), "0.05"))),
             1e-7);
 }
 

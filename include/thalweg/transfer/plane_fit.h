@@ -52,8 +52,9 @@ namespace Thalweg
     /// What a fit gives.
     struct Result
     {
-      double first;     ///< the first unknown
-      double explained; ///< the part of the sum of squares that is fitted
+      dealii::Tensor<1, n> unknowns;
+      /// The part of the sum of squares that is fitted.
+      double explained;
     };
 
     Result
@@ -67,7 +68,15 @@ namespace Thalweg
             value -= factor[i][k] * y[k];
           y[i] = value / factor[i][i];
         }
-      return {y[0] / factor[0][0], y * y};
+      dealii::Tensor<1, n> unknowns;
+      for (int i = 0; i < n; ++i)
+        {
+          double value = y[i];
+          for (int k = 0; k < i; ++k)
+            value -= factor[k][i] * unknowns[k];
+          unknowns[i] = value / factor[i][i];
+        }
+      return {unknowns, y * y};
     }
 
   private:
@@ -85,7 +94,7 @@ namespace Thalweg
     const PlaneFit<n> fit(matrix);
     if (!fit.is_determined())
       return {};
-    return fit.solve(load).first;
+    return fit.solve(load).unknowns[0];
   }
 } // namespace Thalweg
 

@@ -121,15 +121,48 @@ namespace Thalweg
           }
       }
     space->fold(force, dim);
+    const Vector                 &field   = pressure_system->acceleration();
+    const dealii::Tensor<1, dim> &uniform = forces->uniform_acceleration();
     v.zero_out_ghost_values();
     for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
       if (!space->is_dependent(n))
-        for (unsigned int d = 0; d < dim; ++d)
-          v.local_element(dim * n + d) +=
-            dt * (force.local_element(dim * n + d) / mass.local_element(n) +
-                  (with_forces ? forces->gravity()[d] : 0.));
+        {
+          dealii::Tensor<1, dim> a;
+          for (unsigned int d = 0; d < dim; ++d)
+            a[d] = force.local_element(dim * n + d) / mass.local_element(n) +
+                   (with_forces ? uniform[d] + field.local_element(dim * n + d)
+                                : 0.);
+          if (forces->is_rotating())
+            a = deflection * a;
+          for (unsigned int d = 0; d < dim; ++d)
+            v.local_element(dim * n + d) += dt * a[d];
+        }
     boundary->apply(v);
     space->interpolate(v, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::deflect(const double dt)
+  {
+    if (!forces->is_rotating())
+      return;
+    const auto one = dealii::unit_symmetric_tensor<dim>();
+    deflection     = dealii::invert(one + dt * forces->spin());
+    const dealii::Tensor<2, dim> whole =
+      deflection * (one - dt * forces->spin());
+    v.zero_out_ghost_values();
+    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
+      {
+        dealii::Tensor<1, dim> u;
+        for (unsigned int d = 0; d < dim; ++d)
+          u[d] = v.local_element(dim * n + d);
+        u = whole * u;
+        for (unsigned int d = 0; d < dim; ++d)
+          v.local_element(dim * n + d) = u[d];
+      }
   }
 
 
@@ -207,6 +240,7 @@ namespace Thalweg
     }
 
     v.copy_locally_owned_data_from(velocity_star);
+    deflect(dt);
     boundary->apply(v);
     space->interpolate(v, dim);
 

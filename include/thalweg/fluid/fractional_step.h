@@ -63,6 +63,16 @@ namespace Thalweg
                const bool              with_forces,
                const double            dt);
 
+    /**
+     * In a tank that turns, V^{n+1} = V* + dt (a - 2 Omega x V) with the mean
+     * V of both: V^{n+1} = D (1 - dt Omega x) V* + D dt a, where
+     * D = (1 + dt Omega x)^{-1}. The first term turns V* and keeps its length
+     * (Cayley; J. P. Boris 1970); this puts it in place of V*, and D in place
+     * for accelerate().
+     */
+    void
+    deflect(const double dt);
+
     /// (87b): v += (M/dt + K)^{-1} (-K v)
     void
     predict(const double dt);
@@ -85,6 +95,7 @@ namespace Thalweg
     Q1Integrals<dim>                      integrals;
     std::unique_ptr<PressureSystem<dim>>  pressure_system;
     std::unique_ptr<ViscousOperator<dim>> viscous;
+    dealii::Tensor<2, dim>                deflection; ///< D of deflect()
     Vector                                mass;
     Vector                                force;
     Vector                                change;

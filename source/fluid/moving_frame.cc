@@ -331,7 +331,7 @@ namespace Thalweg
     dealii::Tensor<1, dim> v;
     if (translation_order < 2)
       for (unsigned int d = 0; d < translation.size(); ++d)
-        v[d] = -translation[d](0., 1 - translation_order);
+        v[d] = 0. - translation[d](0., 1 - translation_order);
     return dealii::transpose(state.orientation) * v - state.spin * (x - pivot);
   }
 

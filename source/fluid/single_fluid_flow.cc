@@ -270,6 +270,8 @@ namespace Thalweg
     copy_owned(force, body_force);
     force.add(1., viscous);
     velocity_space->interpolate(force, dim);
+    const double kept = is_short() ? 1. - dt / usual_dt : 0.;
+    step->keep_divergence(begin_velocity, kept);
     step->solve(start,
                 {pressure, pressure_gradient, end_smooth, force},
                 !is_consistent(),
@@ -277,7 +279,10 @@ namespace Thalweg
                 end_velocity,
                 new_pressure);
     if (own_explicit_step)
-      own_explicit_step->remove_divergence(end_velocity);
+      {
+        own_explicit_step->keep_divergence(begin_velocity, kept);
+        own_explicit_step->remove_divergence(end_velocity);
+      }
     has_solution = true;
     find_prediction_error(predicted);
     if (is_consistent())
@@ -322,14 +327,12 @@ namespace Thalweg
   SingleFluidFlow<dim>::find_means()
   {
     Vector middle = begin_velocity;
-    middle.add(1., end_velocity);
-    middle *= .5;
+    middle.sadd(.5, .5, end_velocity);
     add_coriolis(middle);
-    const bool short_step = is_short();
-    mean_span             = dt;
+    mean_span = dt;
     copy_owned(mean_pressure, new_pressure);
     copy_owned(mean_force, with_coriolis);
-    if (!short_step)
+    if (!is_short())
       {
         copy_owned(pressure_impulse, new_pressure);
         copy_owned(force_impulse, with_coriolis);

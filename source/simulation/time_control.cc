@@ -187,7 +187,10 @@ namespace Thalweg
   double
   TimeControl::n_steps(const double left, const double wanted) const
   {
-    return std::max(1., std::ceil(left / wanted / (1. + stretch())));
+    const double nearest = std::max(1., std::round(left / wanted));
+    return left <= (1. + stretch()) * wanted * nearest
+             ? nearest
+             : std::ceil(left / wanted);
   }
 
 

@@ -115,7 +115,8 @@ TEST(StepsOfAnySize, LeaveVorticesAsExact)
         {
           Stepper uneven(vortices(settings));
           uneven.make(with_tiny(15, tiny));
-          EXPECT_LT(vortex_error(uneven), 1.05 * expected + 1e-4)
+          EXPECT_LT(vortex_error(uneven),
+                    (tiny[0] < 1e-4 ? 1.01 : 1.05) * expected)
             << order << ", " << tiny.size() << " steps of " << tiny[0];
         }
     }
@@ -134,7 +135,9 @@ TEST(StepsOfAnySize, LeaveThePressureAsItWas)
         stepper.make(tiny);
         auto difference = pressure;
         difference.add(-1., stepper.flow().pressure);
-        EXPECT_LT(difference.linfty_norm(), .02 * pressure.linfty_norm());
+        // It is that of the end, no more that of the middle of a step, from
+        // which it has fallen by 0.8 %.
+        EXPECT_LT(difference.linfty_norm(), .01 * pressure.linfty_norm());
       }
 }
 
@@ -142,11 +145,13 @@ TEST(StepsOfAnySize, LeaveThePressureAsItWas)
 
 TEST(StepsOfAnySize, LeaveForcesOnWallsAsTheyWere)
 {
-  // A lid that is drawn over a fluid at rest.
-  const std::string cavity =
-    unit_box<2>(8) + single_fluid() + one_fluid(2., .05) +
-    section("Boundary conditions",
-            {"No slip = left, right, bottom", "Velocity = top: 1; 0"});
+  // A lid that is drawn over a fluid at rest. Halves of these steps change
+  // forces by 8 %.
+  const std::string cavity = unit_box<2>(8) + single_fluid() +
+                             one_fluid(2., .05) +
+                             section("Boundary conditions",
+                                     {"No slip = left, right, bottom",
+                                      "Velocity = top: 16*x^2*(1-x)^2; 0"});
   Stepper even(cavity), uneven(cavity);
   even.make(std::vector<double>(12, .02));
   std::vector<double> sizes;
@@ -156,13 +161,15 @@ TEST(StepsOfAnySize, LeaveForcesOnWallsAsTheyWere)
   uneven.make(sizes);
   auto difference = even.flow().reaction;
   difference.add(-1., uneven.flow().reaction);
-  EXPECT_LT(difference.linfty_norm(), .03 * even.flow().reaction.linfty_norm());
+  EXPECT_LT(difference.linfty_norm(),
+            1e-3 * even.flow().reaction.linfty_norm());
   // The next one of usual size is undisturbed, too.
   even.make({.02});
   uneven.make({.02});
   difference = even.flow().reaction;
   difference.add(-1., uneven.flow().reaction);
-  EXPECT_LT(difference.linfty_norm(), .03 * even.flow().reaction.linfty_norm());
+  EXPECT_LT(difference.linfty_norm(),
+            1e-3 * even.flow().reaction.linfty_norm());
 }
 
 
@@ -185,5 +192,5 @@ TEST(StepsOfAnySize, IncrementalPressureSurvivesThem)
   even.make(std::vector<double>(15, .01));
   Stepper uneven(vortices(settings));
   uneven.make(with_tiny(15, {1e-7}));
-  EXPECT_LT(vortex_error(uneven), 1.1 * vortex_error(even) + 1e-3);
+  EXPECT_LT(vortex_error(uneven), 1.01 * vortex_error(even));
 }

@@ -145,23 +145,22 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::deflect(const double dt)
+  FractionalStep<dim>::deflect(const Vector &velocity_star, const double dt)
   {
-    if (!forces->is_rotating())
-      return;
-    const auto one = dealii::unit_symmetric_tensor<dim>();
-    deflection     = dealii::invert(one + dt * forces->spin());
-    const dealii::Tensor<2, dim> whole =
-      deflection * (one - dt * forces->spin());
+    const dealii::Tensor<2, dim> spin = dt * forces->spin();
+    deflection = dealii::invert(dealii::unit_symmetric_tensor<dim>() + spin);
     v.zero_out_ghost_values();
     for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
       {
-        dealii::Tensor<1, dim> u;
+        dealii::Tensor<1, dim> old, star;
         for (unsigned int d = 0; d < dim; ++d)
-          u[d] = v.local_element(dim * n + d);
-        u = whole * u;
+          {
+            old[d]  = v.local_element(dim * n + d);
+            star[d] = velocity_star.local_element(dim * n + d);
+          }
+        star = deflection * (star - spin * old);
         for (unsigned int d = 0; d < dim; ++d)
-          v.local_element(dim * n + d) = u[d];
+          v.local_element(dim * n + d) = star[d];
       }
   }
 
@@ -239,8 +238,10 @@ namespace Thalweg
       pressure_system->assemble();
     }
 
-    v.copy_locally_owned_data_from(velocity_star);
-    deflect(dt);
+    if (forces->is_rotating())
+      deflect(velocity_star, dt);
+    else
+      v.copy_locally_owned_data_from(velocity_star);
     boundary->apply(v);
     space->interpolate(v, dim);
 

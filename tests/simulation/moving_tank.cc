@@ -116,3 +116,38 @@ TEST(MovingTank, OneFluidAtRestInSpaceIsDeflectedOnItsCircles)
   EXPECT_NEAR(run.last("max velocity 1 [m/s]"), 3. * std::sqrt(.5), 1e-2);
   EXPECT_NEAR(run.last("kinetic energy [J]"), 1.5, 2e-2);
 }
+
+
+
+TEST(MovingTank, TwoFluidsAtRestInSpaceAreDeflectedOnTheirCircles)
+{
+  // The same, with the other method: no work is done. In a tank that does not
+  // turn the same flow needs another pressure, and no deflection.
+  const std::string backwards = "3*(y - 0.5); -3*(x - 0.5)";
+  for (const std::string integration : {"staggered", "trapezoidal", "frozen"})
+    {
+      const std::string text =
+        unit_box<2>(12) +
+        section("Time", {"Time step = 0.01", "End time = 0.2"}) +
+        section("Method",
+                {},
+                section("pfem2", {"Time integration = " + integration})) +
+        two_fluids(2., 2.) +
+        section("Initial conditions",
+                {"Velocity = " + backwards, "Level set = y - 0.5"}) +
+        section("Boundary conditions",
+                {"Velocity = left: " + backwards + " | right: " + backwards +
+                 " | bottom: " + backwards + " | top: " + backwards});
+      const RunCase<2> still(text);
+      for (const std::string spin : {"3", "-3"})
+        {
+          const RunCase<2> turning(text + section("Moving frame",
+                                                  {"Angular velocity = " + spin,
+                                                   "Center = 0.5, 0.5"}));
+          EXPECT_NEAR(turning.last("kinetic energy [J]"),
+                      still.last("kinetic energy [J]"),
+                      .006)
+            << integration << ' ' << spin;
+        }
+    }
+}

@@ -64,14 +64,15 @@ namespace Thalweg
                const double            dt);
 
     /**
-     * In a tank that turns, V^{n+1} = V* + dt (a - 2 Omega x V) with the mean
-     * V of both: V^{n+1} = D (1 - dt Omega x) V* + D dt a, where
-     * D = (1 + dt Omega x)^{-1}. The first term turns V* and keeps its length
-     * (Cayley; J. P. Boris 1970); this puts it in place of V*, and D in place
-     * for accelerate().
+     * In a tank that turns, V^{n+1} = V* + dt (a - Omega x (V^n + V^{n+1})),
+     * with both velocities of the mesh: V* has come from elsewhere, and
+     * against V^{n+1} it has what the pressure is to take away. So
+     * V^{n+1} = D (V* - dt Omega x V^n) + D dt a, D = (1 + dt Omega x)^{-1}.
+     * This makes the first term in place of V^n, which is in v, and D for
+     * accelerate().
      */
     void
-    deflect(const double dt);
+    deflect(const Vector &velocity_star, const double dt);
 
     /// (87b): v += (M/dt + K)^{-1} (-K v)
     void

@@ -72,6 +72,7 @@ namespace Thalweg
     space->initialize_velocity(force);
     space->initialize_velocity(change);
     space->initialize_velocity(before_friction);
+    space->initialize_velocity(rate_of_change);
     space->initialize_velocity(v);
   }
 
@@ -107,12 +108,55 @@ namespace Thalweg
       add_force_density();
     space->fold(force, dim);
     mass->accelerate(force,
-                     with_forces ? forces->gravity()
-                                 : dealii::Tensor<1, dim>());
+                     with_forces ? forces->uniform_acceleration()
+                                 : dealii::Tensor<1, dim>(),
+                     with_forces ? &pressure_system->acceleration() : nullptr);
+    if (forces->is_rotating())
+      turn(deflection, force);
     v.zero_out_ghost_values();
     v.add(duration, force);
     boundary->apply(v);
     space->interpolate(v, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::turn(const dealii::Tensor<2, dim> &matrix,
+                            Vector                       &vector) const
+  {
+    for (unsigned int n = 0; n < vector.locally_owned_size() / dim; ++n)
+      {
+        dealii::Tensor<1, dim> value;
+        for (unsigned int d = 0; d < dim; ++d)
+          value[d] = vector.local_element(dim * n + d);
+        value = matrix * value;
+        for (unsigned int d = 0; d < dim; ++d)
+          vector.local_element(dim * n + d) = value[d];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::deflect(const double duration)
+  {
+    const dealii::Tensor<2, dim> spin = duration * forces->spin();
+    deflection = dealii::invert(dealii::unit_symmetric_tensor<dim>() + spin);
+    // change: what the rotation makes of V*, from the velocity before
+    change.zero_out_ghost_values();
+    turn(spin, change);
+    change.sadd(-1., 1., v);
+    turn(deflection, change);
+    change.add(-1., v);
+    boundary->project(change);
+    v.zero_out_ghost_values();
+    v.add(1., change);
+    rate_of_change.zero_out_ghost_values();
+    rate_of_change.add(1. / duration, change);
+    space->interpolate(rate_of_change, dim);
   }
 
 
@@ -180,7 +224,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::balance_forces(const Vector &rate, const double duration)
+  FractionalStep<dim>::balance_forces(const double duration)
   {
     dealii::TimerOutput::Scope scope(context->timers, "pressure");
     // The last step's pressure is the initial guess.
@@ -189,7 +233,7 @@ namespace Thalweg
     space->interpolate(p.nodal, 1);
     p.star.assign(phase->cut_cells().size(), 0.);
     const SolveReport report = pressure_system->correct(
-      rate, true, p, pressure_tolerance, maximal_cg_iterations);
+      rate_of_change, true, p, pressure_tolerance, maximal_cg_iterations);
     context->statistics.add("pressure iterations", report.iterations);
     context->statistics.set("pressure residual", report.residual);
     accelerate(p, true, duration);
@@ -271,11 +315,16 @@ namespace Thalweg
       mass->update();
       pressure_system->assemble();
     }
+    change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);
+    rate_of_change.copy_locally_owned_data_from(rate);
+    space->interpolate(rate_of_change, dim);
+    if (forces->is_rotating())
+      deflect(duration);
     boundary->apply(v);
     space->interpolate(v, dim);
 
-    balance_forces(rate, duration);
+    balance_forces(duration);
     before_friction.copy_locally_owned_data_from(v);
     bool has_friction = false;
     {

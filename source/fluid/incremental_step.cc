@@ -47,7 +47,8 @@ namespace Thalweg
   {
     for (Vector *vector : {&load, &change})
       operators.velocity_space.initialize(*vector, dim);
-    for (Vector *vector : {&pressure_load, &increment, &divergence})
+    for (Vector *vector :
+         {&pressure_load, &increment, &divergence, &kept_divergence})
       operators.pressure_space.initialize(*vector, 1);
     operators.velocity_space.initialize(lumped_mass, dim);
     change = 1.;
@@ -189,6 +190,23 @@ namespace Thalweg
     divergence = 0.;
     operators.add_divergence(velocity, divergence, 1.);
     operators.pressure_space.fold(divergence, 1);
+    if (keeps_divergence)
+      divergence.add(-1., kept_divergence);
+  }
+
+
+
+  template <int dim>
+  void
+  IncrementalStep<dim>::keep_divergence(const Vector &velocity,
+                                        const double  part)
+  {
+    keeps_divergence = part > 0.;
+    if (!keeps_divergence)
+      return;
+    kept_divergence = 0.;
+    operators.add_divergence(velocity, kept_divergence, part);
+    operators.pressure_space.fold(kept_divergence, 1);
   }
 
 

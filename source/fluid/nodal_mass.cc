@@ -105,13 +105,17 @@ namespace Thalweg
   template <int dim>
   void
   NodalMass<dim>::accelerate(Vector                       &vector,
-                             const dealii::Tensor<1, dim> &uniform) const
+                             const dealii::Tensor<1, dim> &uniform,
+                             const Vector                 *field) const
   {
     vector.zero_out_ghost_values();
     divide(vector);
     if (uniform.norm_square() > 0)
       for (unsigned int i = 0; i < dim * mass.locally_owned_size(); ++i)
         vector.local_element(i) += uniform[i % dim];
+    if (field)
+      for (unsigned int i = 0; i < dim * mass.locally_owned_size(); ++i)
+        vector.local_element(i) += field->local_element(i);
     boundary.project_slip(vector);
     space.interpolate(vector, dim);
 

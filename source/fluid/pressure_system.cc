@@ -1,5 +1,6 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/gather.h>
+#include <thalweg/fields/interpolation.h>
 #include <thalweg/fluid/pressure_system.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -22,6 +23,7 @@ namespace Thalweg
   {
     space.initialize_scalar(residual);
     space.initialize_scalar(increment);
+    space.initialize_velocity(field);
     initialize_matrix();
   }
 
@@ -123,6 +125,25 @@ namespace Thalweg
         matrix->compress(dealii::VectorOperation::add);
       }
     amg.update(*matrix);
+    find_acceleration();
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::find_acceleration()
+  {
+    if (!forces.has_field())
+      return;
+    for_each_owned_node<dim>(space,
+                             [&](const unsigned int        node,
+                                 const dealii::Point<dim> &position) {
+                               const auto a = forces.field(position);
+                               for (unsigned int d = 0; d < dim; ++d)
+                                 field.local_element(dim * node + d) = a[d];
+                             });
+    space.interpolate(field, dim);
   }
 
 
@@ -150,10 +171,28 @@ namespace Thalweg
     const auto         &geometry  = space.mesh().graph().cell(cell);
     const auto          gradients = integrals.gradient_integrals(geometry);
     const CutCell<dim> *cut       = cut_cell(cell);
-    const auto         &g         = forces.gravity();
+    auto                g         = forces.uniform_acceleration();
     const auto          f         = forces.has_density()
                                       ? forces.density(Q1::center<dim>(geometry))
                                       : dealii::Tensor<1, dim>();
+    if (forces.has_field())
+      {
+        auto a = gather_velocity<dim>(field, space.nodes(cell));
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double mean = 0.;
+            for (unsigned int v = 0; v < load.nodal.size(); ++v)
+              mean += a[dim * v + d] / load.nodal.size();
+            g[d] += mean;
+            for (unsigned int v = 0; v < load.nodal.size(); ++v)
+              {
+                a[dim * v + d] -= mean;
+                if (cut && cut->enriched)
+                  load.star += cut->star_gradient[v][d] * a[dim * v + d];
+              }
+          }
+        integrals.add_divergence(geometry, a, load.nodal);
+      }
     for (unsigned int v = 0; v < load.nodal.size(); ++v)
       load.nodal[v] +=
         g * gradients[v] +

@@ -81,7 +81,10 @@ namespace Thalweg
     for (Vector *vector : {&begin_velocity,
                            &end_velocity,
                            &old_velocity,
+                           &force_impulse,
+                           &mean_force,
                            &body_force,
+                           &with_coriolis,
                            &viscous,
                            &begin_viscous,
                            &end_viscous,
@@ -102,6 +105,8 @@ namespace Thalweg
                            &end_pressure})
       explicit_space->initialize(*vector, 1);
     for (Vector *vector : {&old_pressure,
+                           &pressure_impulse,
+                           &mean_pressure,
                            &pressure,
                            &new_pressure,
                            &pressure_rate,
@@ -132,17 +137,41 @@ namespace Thalweg
   {
     for (unsigned int n = 0; n < velocity_space->n_owned_nodes(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
-        body_force.local_element(dim * n + d) = forces.gravity()[d];
-    if (forces.has_density())
-      for_each_owned_node<dim>(*velocity_space,
-                               [&](const unsigned int        node,
-                                   const dealii::Point<dim> &position) {
-                                 const auto f = forces.density(position);
-                                 for (unsigned int d = 0; d < dim; ++d)
-                                   body_force.local_element(dim * node + d) +=
-                                     f[d] / fluid.density;
-                               });
+        body_force.local_element(dim * n + d) =
+          forces.uniform_acceleration()[d];
+    if (forces.has_density() || forces.has_field())
+      for_each_owned_node<dim>(
+        *velocity_space,
+        [&](const unsigned int node, const dealii::Point<dim> &position) {
+          dealii::Tensor<1, dim> a;
+          if (forces.has_density())
+            a += forces.density(position) / fluid.density;
+          if (forces.has_field())
+            a += forces.field(position);
+          for (unsigned int d = 0; d < dim; ++d)
+            body_force.local_element(dim * node + d) += a[d];
+        });
     velocity_space->interpolate(body_force, dim);
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::add_coriolis(const Vector &velocity)
+  {
+    copy_owned(with_coriolis, body_force);
+    if (forces.is_rotating())
+      for (unsigned int n = 0; n < velocity_space->n_owned_nodes(); ++n)
+        {
+          dealii::Tensor<1, dim> v;
+          for (unsigned int d = 0; d < dim; ++d)
+            v[d] = velocity.local_element(dim * n + d);
+          const dealii::Tensor<1, dim> a = -2. * (forces.spin() * v);
+          for (unsigned int d = 0; d < dim; ++d)
+            with_coriolis.local_element(dim * n + d) += a[d];
+        }
+    velocity_space->interpolate(with_coriolis, dim);
   }
 
 
@@ -168,10 +197,10 @@ namespace Thalweg
     conditions.set_time(time + dt);
     find_body_force();
     find_viscous(begin_velocity, viscous, begin_viscous);
-    if (old_dt > 0. && second_order)
+    if (is_within_reach(known_span) && second_order)
       extrapolate_owned(begin_velocity,
                         old_velocity,
-                        dt / old_dt,
+                        dt / known_span,
                         end_velocity);
     else
       copy_owned(end_velocity, begin_velocity);
@@ -191,8 +220,10 @@ namespace Thalweg
     if (second_order)
       find_viscous(end_velocity, end_viscous, end_smooth);
     find_pressure_gradients();
-    copy_owned(begin, body_force);
-    copy_owned(end, body_force);
+    add_coriolis(begin_velocity);
+    copy_owned(begin, with_coriolis);
+    add_coriolis(convecting_velocity_at_end());
+    copy_owned(end, with_coriolis);
     begin.add(-1., begin_gradient);
     end.add(-1., end_gradient);
     if (second_order)
@@ -239,6 +270,8 @@ namespace Thalweg
     copy_owned(force, body_force);
     force.add(1., viscous);
     velocity_space->interpolate(force, dim);
+    const double kept = is_short() ? 1. - dt / usual_dt : 0.;
+    step->keep_divergence(begin_velocity, kept);
     step->solve(start,
                 {pressure, pressure_gradient, end_smooth, force},
                 !is_consistent(),
@@ -246,17 +279,20 @@ namespace Thalweg
                 end_velocity,
                 new_pressure);
     if (own_explicit_step)
-      own_explicit_step->remove_divergence(end_velocity);
+      {
+        own_explicit_step->keep_divergence(begin_velocity, kept);
+        own_explicit_step->remove_divergence(end_velocity);
+      }
     has_solution = true;
     find_prediction_error(predicted);
     if (is_consistent())
       return;
     // What a repetition of the step, or the next one, knows.
-    if (second_order && old_dt > 0.)
+    if (second_order && mean_span > 0. && !is_short())
       {
         copy_owned(pressure_rate, new_pressure);
         pressure_rate.add(-1., old_pressure);
-        pressure_rate *= 2. / (dt + old_dt);
+        pressure_rate *= 2. / (dt + mean_span);
       }
     copy_owned(pressure, new_pressure);
   }
@@ -288,31 +324,73 @@ namespace Thalweg
 
   template <int dim>
   void
+  SingleFluidFlow<dim>::find_means()
+  {
+    Vector middle = begin_velocity;
+    middle.sadd(.5, .5, end_velocity);
+    add_coriolis(middle);
+    mean_span = dt;
+    copy_owned(mean_pressure, new_pressure);
+    copy_owned(mean_force, with_coriolis);
+    if (!is_short())
+      {
+        copy_owned(pressure_impulse, new_pressure);
+        copy_owned(force_impulse, with_coriolis);
+        pressure_impulse *= dt;
+        force_impulse *= dt;
+      }
+    else
+      {
+        mean_span = known_span + dt;
+        for (const auto &[impulse, mean] :
+             {std::make_pair(&pressure_impulse, &mean_pressure),
+              std::make_pair(&force_impulse, &mean_force)})
+          {
+            impulse->add(dt, *mean);
+            copy_owned(*mean, *impulse);
+            *mean *= 1. / mean_span;
+          }
+      }
+    pressure_space->interpolate(mean_pressure, 1);
+    velocity_space->interpolate(mean_force, dim);
+  }
+
+
+
+  template <int dim>
+  void
   SingleFluidFlow<dim>::end_step()
   {
-    boundary_reaction->find(begin_velocity,
+    was_short = is_short();
+    find_means();
+    boundary_reaction->find(was_short ? old_velocity : begin_velocity,
                             end_velocity,
-                            new_pressure,
-                            body_force,
-                            dt,
+                            mean_pressure,
+                            mean_force,
+                            mean_span,
                             fluid.density,
                             reaction);
     boundary_reaction->find_traction(reaction,
-                                     new_pressure,
+                                     mean_pressure,
                                      fluid.density,
                                      traction);
-    copy_owned(old_velocity, begin_velocity);
+    if (was_short)
+      known_span += dt;
+    else
+      {
+        copy_owned(old_velocity, begin_velocity);
+        known_span = usual_dt = dt;
+      }
     copy_owned(begin_velocity, end_velocity);
     velocity_space->interpolate(begin_velocity, dim);
-    copy_owned(old_pressure, new_pressure);
+    copy_owned(old_pressure, mean_pressure);
     // What splitting leaves is part of the forces, but not as exact a
     // pressure as that of the velocity.
-    copy_owned(physical_pressure, is_consistent() ? pressure : new_pressure);
+    copy_owned(physical_pressure, is_consistent() ? pressure : mean_pressure);
     physical_pressure *= fluid.density;
     pressure_space->interpolate(physical_pressure, 1);
-    view.pressure_time = time + .5 * dt;
-    older_dt           = old_dt;
-    old_dt             = dt;
+    view.pressure_time = time + dt - .5 * (is_consistent() ? dt : mean_span);
+    last_dt            = dt;
   }
 
 

@@ -4,6 +4,9 @@
 #include <thalweg/fields/vertex_values.h>
 #include <thalweg/fluid/single_fluid_flow.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace Thalweg
 {
   template <int dim>
@@ -50,8 +53,9 @@ namespace Thalweg
                                       const double  at,
                                       Vector       &result)
   {
-    // dV_D/dt by a difference that no expression notices.
-    const double tick = 1e-3 * dt;
+    // dV_D/dt by a difference that no expression notices, but that the
+    // rounding of the time does not reach.
+    const double tick = std::max(1e-3 * dt, 1e-8 * std::abs(at));
     force.zero_out_ghost_values();
     force = 0.;
     conditions.set_time(at - tick);
@@ -68,8 +72,9 @@ namespace Thalweg
     result.zero_out_ghost_values();
     explicit_boundary->apply_open(result, 1. / fluid.density);
     explicit_space->interpolate(result, 1);
+    add_coriolis(velocity);
     explicit_step->find_pressure(
-      velocity, body_force, g, boundary_acceleration, result);
+      velocity, with_coriolis, g, boundary_acceleration, result);
     conditions.set_time(time + dt);
   }
 
@@ -81,17 +86,36 @@ namespace Thalweg
   {
     if (is_consistent())
       {
-        copy_owned(older_begin_pressure, old_begin_pressure);
-        copy_owned(old_begin_pressure, begin_pressure);
+        remember_begin_pressure();
         find_pressure(begin_velocity, viscous, time, begin_pressure);
         extrapolate_pressure();
       }
     else
       {
         copy_owned(pressure, old_pressure);
-        if (old_dt > 0. && second_order)
-          pressure.add(.5 * (dt + old_dt), pressure_rate);
+        if (is_within_reach(mean_span) && second_order)
+          pressure.add(.5 * (dt + mean_span), pressure_rate);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  SingleFluidFlow<dim>::remember_begin_pressure()
+  {
+    if (was_short)
+      {
+        // That of the short step's beginning is too near.
+        pressure_span += last_dt;
+        if (older_pressure_span > 0.)
+          older_pressure_span += last_dt;
+        return;
+      }
+    copy_owned(older_begin_pressure, old_begin_pressure);
+    copy_owned(old_begin_pressure, begin_pressure);
+    older_pressure_span = pressure_span > 0. ? pressure_span + last_dt : 0.;
+    pressure_span       = last_dt;
   }
 
 
@@ -101,14 +125,14 @@ namespace Thalweg
   SingleFluidFlow<dim>::extrapolate_pressure()
   {
     copy_owned(end_pressure, begin_pressure);
-    if (old_dt == 0. || !second_order)
+    if (!is_within_reach(pressure_span) || !second_order)
       return;
     // The slope over the last two steps does not see what alternates from
     // step to step; that over the last one would return it three times as
     // large.
-    const Vector &earlier =
-      older_dt > 0. ? older_begin_pressure : old_begin_pressure;
-    const double ratio = dt / (old_dt + older_dt);
+    const bool    two     = older_pressure_span > 0.;
+    const Vector &earlier = two ? older_begin_pressure : old_begin_pressure;
+    const double  ratio   = dt / (two ? older_pressure_span : pressure_span);
     end_pressure.add(ratio, begin_pressure);
     end_pressure.add(-ratio, earlier);
   }
@@ -165,8 +189,13 @@ namespace Thalweg
   SingleFluidFlow<dim>::keep(const State<dim> &state)
   {
     state.values().value("time", time);
-    state.values().value("last step", old_dt);
-    state.values().value("step before the last", older_dt);
+    state.values().value("last step", last_dt);
+    state.values().value("last step was short", was_short);
+    state.values().value("usual step", usual_dt);
+    state.values().value("span of the old velocity", known_span);
+    state.values().value("span of the old pressure", pressure_span);
+    state.values().value("span of the older pressure", older_pressure_span);
+    state.values().value("span of the mean pressure", mean_span);
     state.values().value("pressure time", view.pressure_time);
     const LagrangeSpace<dim> &V = *velocity_space;
     state.field("velocity", V, begin_velocity, dim);
@@ -179,6 +208,10 @@ namespace Thalweg
     state.field("pressure gradient at end", V, end_gradient, dim);
     state.field("reaction", V, reaction, dim);
     state.field("traction", V, traction, dim);
+    state.field("older explicit pressure",
+                *explicit_space,
+                older_begin_pressure,
+                1);
     state.field("old explicit pressure",
                 *explicit_space,
                 old_begin_pressure,
@@ -192,6 +225,11 @@ namespace Thalweg
     state.field("pressure", *pressure_space, new_pressure, 1);
     state.field("old pressure", *pressure_space, old_pressure, 1);
     state.field("pressure rate", *pressure_space, pressure_rate, 1);
+    state.field("impulse of the pressure",
+                *pressure_space,
+                pressure_impulse,
+                1);
+    state.field("impulse of the forces", V, force_impulse, dim);
     state.field("physical pressure", *pressure_space, physical_pressure, 1);
   }
 
@@ -210,7 +248,11 @@ namespace Thalweg
   template void
   SingleFluidFlow<3>::guess_pressures();
   template void
+  SingleFluidFlow<2>::remember_begin_pressure();
+  template void
   SingleFluidFlow<2>::extrapolate_pressure();
+  template void
+  SingleFluidFlow<3>::remember_begin_pressure();
   template void
   SingleFluidFlow<3>::extrapolate_pressure();
   template void

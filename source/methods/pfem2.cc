@@ -223,11 +223,24 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  Pfem2<dim>::time_of_forces(const double duration, const double time) const
+  {
+    if (time_integration != "trapezoidal")
+      return time - .5 * duration;
+    // The half after the motion has the forces of its end, that before the
+    // first motion those of the start.
+    return acceleration_time == 0. ? time - duration : time;
+  }
+
+
+
+  template <int dim>
   void
   Pfem2<dim>::accelerate(const double duration, const double time)
   {
     parts->conditions.set_time(time);
-    parts->forces.set_time(time);
+    parts->forces.set_time(time_of_forces(duration, time));
     acceleration_time = duration;
     old_flow_time     = flow_time;
     flow_time         = time;

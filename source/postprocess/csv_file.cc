@@ -17,7 +17,8 @@ namespace Thalweg
   {
     this->context = &context;
     n_columns     = columns.size();
-    header.clear();
+    header =
+      context.table_comment.empty() ? "" : "# " + context.table_comment + '\n';
     for (std::size_t c = 0; c < columns.size(); ++c)
       header += (c > 0 ? "," : "") + columns[c];
     header += '\n';

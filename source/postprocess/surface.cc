@@ -5,6 +5,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <map>
+
 namespace Thalweg
 {
   template <int dim>
@@ -97,6 +99,27 @@ namespace Thalweg
       load.force  = dealii::Utilities::MPI::sum(load.force, communicator);
       load.moment = dealii::Utilities::MPI::sum(load.moment, communicator);
     }
+
+
+    /// The cells at the boundary, ghosts too, in an order that does not tell
+    /// how the mesh came about: sums over them have the same bits in a run
+    /// that was resumed.
+    template <int dim>
+    std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>
+    cells_at_boundary(const dealii::DoFHandler<dim> &dofs)
+    {
+      std::map<dealii::CellId,
+               typename dealii::DoFHandler<dim>::active_cell_iterator>
+        cells;
+      for (const auto &cell : dofs.active_cell_iterators())
+        if (!cell->is_artificial() && cell->at_boundary())
+          cells.emplace(cell->id(), cell);
+      std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>
+        result;
+      for (const auto &[id, cell] : cells)
+        result.push_back(cell);
+      return result;
+    }
   } // namespace
 
 
@@ -111,8 +134,8 @@ namespace Thalweg
                   const std::vector<SurfacePoint<dim>> &)> &visit)
   {
     FaceEvaluation<dim> evaluation(flow, n_points);
-    for (const auto &cell : flow.velocity_dofs.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
+    for (const auto &cell : cells_at_boundary(flow.velocity_dofs))
+      if (cell->is_locally_owned())
         for (const unsigned int f : cell->face_indices())
           if (cell->at_boundary(f) &&
               ids.count(cell->face(f)->boundary_id()) > 0)
@@ -163,31 +186,29 @@ namespace Thalweg
     std::vector<dealii::types::global_dof_index> indices(fe.dofs_per_cell);
     Load<dim>                                    load;
     // Ghost cells too: an owned node may be on a face of such a cell only.
-    for (const auto &cell : dofs.active_cell_iterators())
-      if (!cell->is_artificial() && cell->at_boundary())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->at_boundary(f) &&
-              ids.count(cell->face(f)->boundary_id()) > 0)
-            {
-              cell->get_dof_indices(indices);
-              for (unsigned int i = 0; i < indices.size(); ++i)
-                {
-                  if (!fe.has_support_on_face(i, f) ||
-                      !owned.is_element(indices[i]))
-                    continue;
-                  const auto n = owned.index_within_set(indices[i]);
-                  if (seen[n])
-                    continue;
-                  seen[n] = true;
-                  dealii::Tensor<1, dim> force;
-                  force[fe.system_to_component_index(i).first] =
-                    flow.reaction(indices[i]);
-                  load.add(flow.mapping.transform_unit_to_real_cell(
-                             cell, fe.unit_support_point(i)) -
-                             center,
-                           force);
-                }
-            }
+    for (const auto &cell : cells_at_boundary(dofs))
+      for (const unsigned int f : cell->face_indices())
+        if (cell->at_boundary(f) && ids.count(cell->face(f)->boundary_id()) > 0)
+          {
+            cell->get_dof_indices(indices);
+            for (unsigned int i = 0; i < indices.size(); ++i)
+              {
+                if (!fe.has_support_on_face(i, f) ||
+                    !owned.is_element(indices[i]))
+                  continue;
+                const auto n = owned.index_within_set(indices[i]);
+                if (seen[n])
+                  continue;
+                seen[n] = true;
+                dealii::Tensor<1, dim> force;
+                force[fe.system_to_component_index(i).first] =
+                  flow.reaction(indices[i]);
+                load.add(flow.mapping.transform_unit_to_real_cell(
+                           cell, fe.unit_support_point(i)) -
+                           center,
+                         force);
+              }
+          }
     sum_over_ranks(load, dofs.get_communicator());
     return load;
   }

@@ -1,5 +1,6 @@
 #include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/flow_quantities.h>
+#include <thalweg/simulation/frame_record.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
@@ -191,7 +192,8 @@ namespace Thalweg
   Simulation<dim>::choose_step()
   {
     rate = courant_rate(parameters.method->velocity());
-    dt   = parameters.time.next_step(time, rate, usual_dt, viscous);
+    plan = parameters.time.next_step(time, rate, wanted_dt, viscous, last_dt);
+    dt   = plan.size;
     check_courant_number(rate * dt);
   }
 
@@ -249,10 +251,9 @@ namespace Thalweg
                   << " It is repeated with half the size, " << dt << " s.";
           context.log.warning(message.str());
         }
-    time += dt;
     last_dt = dt;
-    // A step cut short to hit a time does not hold back the next one.
-    usual_dt = std::max(dt, usual_dt / 2.);
+    wanted_dt = dt == plan.size ? plan.wanted : dt;
+    time      = dt == plan.size ? plan.end : time + dt;
     ++step;
   }
 
@@ -274,6 +275,7 @@ namespace Thalweg
         checkpoints.set_aside();
         start();
       }
+    announce_frame(parameters.forces.frame(), context);
     postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
@@ -380,8 +382,9 @@ namespace Thalweg
     statistics.set("level set shift", phase.shift());
     statistics.set("velocity time [s]", parameters.method->velocity_time(time));
     for (const auto &[name, value] :
-         flow_quantities(view(), phase, parameters.forces.gravity()))
+         flow_quantities(view(), phase, parameters.forces.gravity(time)))
       statistics.set(name, value);
+    record_frame(parameters.forces.frame(), time, statistics);
     adaptation->record();
     for (const auto &[name, seconds] :
          context.timers.get_summary_data(dealii::TimerOutput::total_wall_time))

@@ -44,7 +44,7 @@ namespace Thalweg
     const Archive &values = state.values();
     values.value("time", time);
     values.value("last step size", last_dt);
-    values.value("usual step size", usual_dt);
+    values.value("wanted step size", wanted_dt);
     values.value("step", step);
     context.statistics.keep(values.enter("statistics"), context.log);
     adaptation->keep(values.enter("adaptation"));

@@ -122,7 +122,11 @@ namespace Thalweg
                             1,
                             "Initial conditions/Level set");
     });
-    collect([this]() { forces.check(); });
+    bool has_forces = false;
+    collect([&]() {
+      forces.check(time.end_time());
+      has_forces = true;
+    });
     collect([this]() { method->check(); });
     collect([this]() { population.check(); });
     collect([this]() { balance.check(); });
@@ -142,6 +146,8 @@ namespace Thalweg
     });
     if (!has_mesh)
       return;
+    if (has_forces)
+      collect([&]() { check_turning(coarse); });
     collect([&]() {
       const BoundaryConditions<dim> conditions(boundary_conditions, coarse);
       for (const auto &[id, condition] : conditions.all())
@@ -168,6 +174,23 @@ namespace Thalweg
                   "' do not change during the run. Use 'Partition/Model = "
                   "p4est', or refine beforehand by 'Refinement/Global levels' "
                   "and 'Local levels'."));
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParameters<dim>::check_turning(const Mesh<dim> &coarse) const
+  {
+    MovingFrame<dim> frame = forces.frame();
+    frame.initialize(time.end_time());
+    for (const PeriodicPair &pair : coarse.periodic_pairs())
+      AssertThrow(frame.keeps_direction(pair.direction),
+                  dealii::ExcMessage(
+                    "With 'Moving frame' the tank turns, and what accelerates "
+                    "fluids there differs between boundaries of 'Geometry/"
+                    "Periodic boundaries': only those along the axis can be "
+                    "periodic."));
   }
 
 

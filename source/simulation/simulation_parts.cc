@@ -48,7 +48,7 @@ namespace Thalweg
     , conditions(parameters.boundary_conditions, mesh)
     , population(mesh)
   {
-    parameters.forces.initialize();
+    parameters.forces.initialize(parameters.time.end_time());
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
     if (parameters.particles_carry == "distance")

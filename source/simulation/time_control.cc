@@ -8,6 +8,26 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// What a quotient of times loses, as a part of it.
+    constexpr double round_off = 1e-11;
+
+    /// What the sum of some 10,000 steps loses, as a part of one of them.
+    constexpr double round_off_of_sums = 1e-6;
+
+
+
+    /// Whether two steps are equal but for round-off.
+    bool
+    is_same(const double a, const double b)
+    {
+      return std::abs(a - b) <= 1e-8 * b;
+    }
+  } // namespace
+
+
+
   void
   TimeControl::declare_parameters(const Section &root)
   {
@@ -16,7 +36,10 @@ namespace Thalweg
     section.add("Time step",
                 fixed_step,
                 "s",
-                "The size of all steps; zero: as the Courant number says.");
+                "The size of all steps; zero: as the Courant number says. What "
+                "is left to the next time to hit is divided into equal steps "
+                "that are not longer, or longer by half a percent at most, so "
+                "that 0.333 is a third.");
     section.add("Courant number",
                 courant_number,
                 "",
@@ -43,13 +66,15 @@ namespace Thalweg
     section.add("Growth",
                 growth,
                 "",
-                "A step with a Courant number is at most so many times as "
-                "long as the one before.");
+                "The step that the Courant number allows is at most so many "
+                "times as long as the one before, of which a step may be a "
+                "half where a time to hit is near.");
     section.add("Hit multiples of",
                 hit_multiples,
                 "s",
                 "Steps end exactly at the multiples of this time, for output; "
-                "zero: only at the end.",
+                "zero: only at the end. They are made equal between two of "
+                "these times.",
                 dealii::Patterns::Double(0));
     section.add("Maximal number of steps",
                 maximal_steps,
@@ -121,39 +146,89 @@ namespace Thalweg
 
 
   double
+  TimeControl::wanted_step(const double   time,
+                           const double   rate,
+                           const double   old_wanted,
+                           const Viscous &viscous) const
+  {
+    if (fixed_step > 0.)
+      return fixed_step;
+    const double by_courant = courant_number / std::max(rate, 1e-300);
+    const double by_fourier =
+      std::min(fourier_number, viscous.limit) / std::max(viscous.rate, 1e-300);
+    double dt = std::min({maximum, by_courant, by_fourier});
+    dt        = std::min(dt, old_wanted > 0 ? growth * old_wanted : first);
+    std::ostringstream message;
+    message << "At t = " << time << " s a step of " << dt
+            << " s would be needed for the "
+            << (by_fourier < by_courant ? "Fourier" : "Courant")
+            << " number, which is less than 'Time/Minimum step': "
+            << (by_fourier < by_courant
+                  ? "the cells are too small for this viscosity where it "
+                    "is explicit."
+                  : "the solution is probably blowing up.");
+    AssertThrow(dt >= minimum, dealii::ExcMessage(message.str()));
+    return dt;
+  }
+
+
+
+  double
+  TimeControl::stretch() const
+  {
+    // Who writes 0.333 means a third: a given step is what its first three
+    // digits say, 1.005 being the farthest that they are from what is meant.
+    // A step that was computed is a bound.
+    return fixed_step > 0. ? 5e-3 : round_off_of_sums;
+  }
+
+
+
+  double
+  TimeControl::n_steps(const double left, const double wanted) const
+  {
+    const double nearest = std::max(1., std::round(left / wanted));
+    return left <= (1. + stretch()) * wanted * nearest
+             ? nearest
+             : std::ceil(left / wanted);
+  }
+
+
+
+  double
+  TimeControl::target(const double time, const double wanted) const
+  {
+    if (hit_multiples == 0.)
+      return end;
+    // Multiples are counted, not summed: a time is one or lies between two,
+    // up to the round-off of the quotient.
+    const double passed = time / hit_multiples;
+    const double next =
+      hit_multiples *
+      (std::floor(passed + round_off * std::max(1., passed)) + 1.);
+    // An end that differs from a multiple by rounding only is meant to be it.
+    return end < next + stretch() * wanted ? end : next;
+  }
+
+
+
+  TimeControl::Step
   TimeControl::next_step(const double   time,
                          const double   rate,
-                         const double   old_dt,
-                         const Viscous &viscous) const
+                         const double   old_wanted,
+                         const Viscous &viscous,
+                         const double   old_size) const
   {
-    double dt = fixed_step;
-    if (fixed_step == 0.)
-      {
-        const double by_courant = courant_number / std::max(rate, 1e-300);
-        const double by_fourier = std::min(fourier_number, viscous.limit) /
-                                  std::max(viscous.rate, 1e-300);
-        dt = std::min({maximum, by_courant, by_fourier});
-        dt = std::min(dt, old_dt > 0 ? growth * old_dt : first);
-        std::ostringstream message;
-        message << "At t = " << time << " s a step of " << dt
-                << " s would be needed for the "
-                << (by_fourier < by_courant ? "Fourier" : "Courant")
-                << " number, which is less than 'Time/Minimum step': "
-                << (by_fourier < by_courant
-                      ? "the cells are too small for this viscosity where it "
-                        "is explicit."
-                      : "the solution is probably blowing up.");
-        AssertThrow(dt >= minimum, dealii::ExcMessage(message.str()));
-      }
-    // Hit the target in equal steps rather than with a tiny last one.
-    double target = end;
-    if (hit_multiples > 0)
-      target = std::min(end,
-                        hit_multiples *
-                          (std::floor(time / hit_multiples + 1e-6) + 1.));
-    const double left = target - time;
-    if (left < (1. + 1e-9) * dt)
-      return left;
-    return left < 2. * dt && fixed_step == 0. ? .5 * left : dt;
+    const double wanted = wanted_step(time, rate, old_wanted, viscous);
+    const double goal   = target(time, wanted);
+    const double left   = goal - time;
+    const double n      = n_steps(left, wanted);
+    if (n == 1.)
+      return {is_same(left, old_size) ? old_size : left, goal, wanted};
+    double size = left / n;
+    for (const double candidate : {fixed_step, old_size})
+      if (is_same(size, candidate))
+        size = candidate;
+    return {size, time + size, wanted};
   }
 } // namespace Thalweg

@@ -42,3 +42,18 @@ TEST(BodyForces, SayWhichExpressionIsWrong)
               std::string::npos)
       << text;
 }
+
+
+
+TEST(BodyForces, KnowAccelerationsThatDependOnPlaceAndTime)
+{
+  Scene<2> scene(
+    section("Body forces", {"Gravity = 0, -9.81", "Acceleration = x*t; y"}));
+  ASSERT_TRUE(scene.forces.has_field());
+  EXPECT_FALSE(scene.forces.has_density());
+  scene.forces.set_time(3.);
+  const auto a = scene.forces.field({2., 5.});
+  EXPECT_EQ(a[0], 6.);
+  EXPECT_EQ(a[1], 5.);
+  EXPECT_EQ(scene.forces.uniform_acceleration()[1], -9.81);
+}

@@ -38,6 +38,8 @@ namespace Thalweg
     /// then kept, cut to what they were and continued. Set it before anything
     /// is opened.
     bool resumed = false;
+    /// Stands as a comment (#) above the header of tables; empty: none.
+    std::string table_comment;
   };
 } // namespace Thalweg
 

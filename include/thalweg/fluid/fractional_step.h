@@ -68,9 +68,25 @@ namespace Thalweg
     void
     add_force_density();
 
-    /// The pressure of @p rate and the body forces, and v with it.
+    /// The pressure of the rate of change and the body forces, and v with it.
     void
-    balance_forces(const Vector &rate, const double duration);
+    balance_forces(const double duration);
+
+    /// Multiplies the owned nodes' vectors by a matrix.
+    void
+    turn(const dealii::Tensor<2, dim> &matrix, Vector &vector) const;
+
+    /**
+     * In a tank that turns, V^{n+1} = V* + dt (a - Omega x (V^n + V^{n+1})),
+     * with both velocities of the mesh: V* has come from elsewhere, and
+     * against V^{n+1} it has what the pressure is to take away. So
+     * V^{n+1} = D (V* - dt Omega x V^n) + D dt a, D = (1 + dt Omega x)^{-1}.
+     * This makes the first term in place of V*, which is in v, with V^n in
+     * @ref change, adds the difference to the rate of change, and makes D for
+     * accelerate().
+     */
+    void
+    deflect(const double duration);
 
     /// (87b): v += (M/dt + K)^{-1} (-K v)
     /// @return whether friction changes anything
@@ -107,9 +123,11 @@ namespace Thalweg
     std::unique_ptr<PressureSystem<dim>>  pressure_system;
     std::unique_ptr<CellProjection<dim>>  cell_projection;
     std::unique_ptr<ViscousOperator<dim>> viscous;
+    dealii::Tensor<2, dim>                deflection; ///< D of deflect()
     Vector                                force;
     Vector                                change;
     Vector                                before_friction;
+    Vector                                rate_of_change;
     Vector                                v;
     EnrichedPressure                      p;
     EnrichedPressure                      dp;

@@ -118,6 +118,18 @@ namespace Thalweg
           Vector         &pressure);
 
     /**
+     * @brief From now on solve() and remove_divergence() leave @p part of the
+     * divergence that @p velocity has, that of the step's beginning.
+     *
+     * A projection with an assembled Laplacian leaves some divergence, of
+     * which the next step takes out another part, whatever its size. A step
+     * that is short beside others must not: many of them would change the
+     * flow, and one alone the forces, which are momentum over time.
+     */
+    void
+    keep_divergence(const Vector &velocity, const double part);
+
+    /**
      * @brief Takes from a velocity the gradient that holds its divergence, as
      * far as the pressures of the operators see it. Pressures do not change.
      * @param velocity ghosted
@@ -173,7 +185,7 @@ namespace Thalweg
     SolveReport
     solve_poisson(Vector &right_hand_side, const double tolerance);
 
-    /// divergence = D velocity, folded.
+    /// divergence = D velocity less what is kept, folded.
     void
     find_divergence(const Vector &velocity);
 
@@ -215,6 +227,8 @@ namespace Thalweg
     Vector                               pressure_load;
     Vector                               increment;
     Vector                               divergence;
+    Vector                               kept_divergence;
+    bool                                 keeps_divergence = false;
   };
 } // namespace Thalweg
 

@@ -50,10 +50,12 @@ namespace Thalweg
      *   sticks, the acceleration is that of the fluid beside the wall)
      * @param uniform an acceleration of the same size everywhere that is
      *   added before, m/s^2
+     * @param field another one at the nodes, or nullptr
      */
     void
     accelerate(Vector                       &vector,
-               const dealii::Tensor<1, dim> &uniform = {}) const;
+               const dealii::Tensor<1, dim> &uniform,
+               const Vector                 *field) const;
 
   private:
     static constexpr unsigned int n_vertices = 1 << dim;

@@ -35,7 +35,7 @@ namespace Thalweg
    * condensed (Eq. 82 to 85).
    *
    * For a velocity that changes at the rate r and that forces g (and f/rho)
-   * act on,
+   * act on, with g the uniform acceleration and the nodal field of the others,
    *
    *   (grad q, grad p / rho) = (grad q, r + g + f/rho) - <q, r . n>_D
    *
@@ -60,9 +60,18 @@ namespace Thalweg
                    const BodyForces<dim>    &forces);
     ~PressureSystem();
 
-    /// Assembles the condensed matrix for the present phases.
+    /// Assembles the condensed matrix for the present phases, and finds the
+    /// accelerations at the time of the forces.
     void
     assemble();
+
+    /// What BodyForces::field() says at the nodes, m/s^2, ghosted; zero if
+    /// there is none.
+    const Vector &
+    acceleration() const
+    {
+      return field;
+    }
 
     /**
      * @brief Solves for the increment that @p pressure lacks and adds it.
@@ -112,6 +121,10 @@ namespace Thalweg
     void
     initialize_matrix();
 
+    /// Evaluates the field of accelerations at the nodes.
+    void
+    find_acceleration();
+
     /// int grad N_i . grad N_j / rho, with the enrichment condensed
     CellMatrix
     cell_matrix(const unsigned int cell) const;
@@ -138,7 +151,11 @@ namespace Thalweg
                    const Vector      &rate,
                    Load              &load) const;
 
-    /// (grad q, g + f/rho) and (grad psi, g + f/rho)
+    /**
+     * (grad q, g + f/rho) and (grad psi, g + f/rho). The mean of the field at
+     * the cell's nodes acts as gravity does, so that a field that is the same
+     * everywhere is balanced as exactly; what differs is a bilinear field.
+     */
     void
     add_forces(const unsigned int cell, Load &load) const;
 
@@ -175,6 +192,7 @@ namespace Thalweg
     double                                                  reference_norm = 0;
     Vector                                                  residual;
     Vector                                                  increment;
+    Vector                                                  field;
   };
 } // namespace Thalweg
 

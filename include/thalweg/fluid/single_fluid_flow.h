@@ -103,11 +103,13 @@ namespace Thalweg
       return second_order ? end_velocity : begin_velocity;
     }
 
-    /// Whether the first step is to come, when all is unknown.
+    /// Whether nothing is known from which the end of this step could be
+    /// extrapolated: in the first step, and in one that is far longer than
+    /// the time that is known before it.
     bool
     is_at_start() const
     {
-      return old_dt == 0.;
+      return !is_within_reach(known_span);
     }
 
     const FlowFields<dim> &
@@ -126,6 +128,11 @@ namespace Thalweg
     /// Nodal body forces at the time of the forces, m/s^2.
     void
     find_body_force();
+
+    /// body_force and what turning of the frame adds at @p velocity, into
+    /// with_coriolis.
+    void
+    add_coriolis(const Vector &velocity);
 
     /// g of @p velocity and what an implicit step makes of it.
     void
@@ -165,9 +172,35 @@ namespace Thalweg
     void
     guess_pressures();
 
+    /// Takes the pressures at the beginnings of the last steps one step back.
+    void
+    remember_begin_pressure();
+
     /// The explicit pressure at the end of the step from those before it.
     void
     extrapolate_pressure();
+
+    /// Whether a slope over the last @p span seconds says anything about this
+    /// step.
+    bool
+    is_within_reach(const double span) const
+    {
+      return span > 0. && dt <= largest_reach * span;
+    }
+
+    /// Whether the step is too short for a difference over it to be more than
+    /// noise.
+    bool
+    is_short() const
+    {
+      return known_span > 0. && dt < .5 * usual_dt &&
+             known_span + dt < 2. * usual_dt;
+    }
+
+    /// What happened since old_velocity, this step included: the means of
+    /// pressure and body force.
+    void
+    find_means();
 
     /// pi (Eq. 79) at both ends of the step.
     void
@@ -195,8 +228,22 @@ namespace Thalweg
     std::unique_ptr<FlowOperators<dim>>   own_explicit_operators;
     std::unique_ptr<IncrementalStep<dim>> own_explicit_step;
 
-    /// The present step and the two before it.
-    double time = 0., dt = 0., old_dt = 0., older_dt = 0.;
+    /// How many times longer a step may be than the time that its
+    /// extrapolation follows from. Short steps are less than half of the usual
+    /// one, so this is one half times as much again.
+    static constexpr double largest_reach = 4.;
+
+    /// The present step, and the last one.
+    double time = 0., dt = 0., last_dt = 0.;
+    /// old_velocity is so many seconds older than begin_velocity: the last
+    /// step, or the last usual one and short ones after it.
+    double known_span = 0., usual_dt = 0.;
+    /// Whether the last step was short.
+    bool was_short = false;
+    /// The same of old_begin_pressure, and of the one before it.
+    double pressure_span = 0., older_pressure_span = 0.;
+    /// The time of which old_pressure is the mean.
+    double mean_span = 0.;
     /// Whether the fields at the end of the step were solved for.
     bool   has_solution = false;
     Vector begin_velocity, end_velocity, old_velocity;
@@ -208,7 +255,11 @@ namespace Thalweg
     Vector pressure, new_pressure, old_pressure;
     /// Incremental: the change of the pressure in a second.
     Vector pressure_rate;
-    Vector body_force, boundary_acceleration;
+    /// Integrals over time since old_velocity.
+    Vector pressure_impulse, force_impulse;
+    /// What a step is judged by: means over it, or over all since old_velocity.
+    Vector mean_pressure, mean_force;
+    Vector body_force, boundary_acceleration, with_coriolis;
     Vector viscous, begin_viscous, end_viscous, end_smooth, start;
     Vector begin_gradient, end_gradient, pressure_gradient, force;
     double error_of_prediction = 0.;

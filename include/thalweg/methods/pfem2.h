@@ -79,6 +79,11 @@ namespace Thalweg
     double
     end_of_acceleration(const double time, const double dt) const;
 
+    /// When body forces are taken for an acceleration that ends at @p time:
+    /// in its middle, or where its integration wants them.
+    double
+    time_of_forces(const double duration, const double time) const;
+
     /// The mesh solves for what acts on the convected velocity for
     /// @p duration, and the particles take the increment: afterwards
     /// velocities are those at @p time.

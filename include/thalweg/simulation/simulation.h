@@ -129,9 +129,10 @@ namespace Thalweg
     double                            time    = 0.;
     double                            last_dt = 0.;
     /// As last_dt, but without what was cut off to hit a time; 0: none yet.
-    double       usual_dt = 0.;
-    unsigned int step     = 0;
-    /// The next step.
+    double       wanted_dt = 0.;
+    unsigned int step      = 0;
+    /// The next step: as planned, and as it is after failures.
+    TimeControl::Step    plan{0., 0., 0.};
     double               dt   = 0.;
     double               rate = 0.;
     TimeControl::Viscous viscous{0., 0.};

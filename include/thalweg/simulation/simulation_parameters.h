@@ -32,6 +32,10 @@ namespace Thalweg
     void
     check_change() const;
 
+    /// That a tank that turns has no periodic boundaries around its axis.
+    void
+    check_turning(const Mesh<dim> &coarse) const;
+
     MeshParameters<dim>         mesh;
     AdaptiveRefinement<dim>     adaptive;
     LoadBalance<dim>            balance;

@@ -45,20 +45,40 @@ namespace Thalweg
     };
 
     /**
-     * @brief The size of the next step, in s.
+     * @brief A step as it is planned.
+     */
+    struct Step
+    {
+      double size; ///< s
+      /// When it ends, s: a target exactly, with the bits of its multiple,
+      /// whatever the sum of the steps before.
+      double end;
+      /// The longest step that was allowed, s.
+      double wanted;
+    };
+
+    /**
+     * @brief Plans the next step.
      * @param time now, s
      * @param rate the Courant number of a step of one second: the largest
      *   velocity over cell size, 1/s
-     * @param old_dt size of the last step, 0 at the start
+     * @param old_wanted Step::wanted of the last step, or its size if it had
+     *   to be made shorter than planned; 0 at the start
      * @param viscous does not bound steps of a given size
-     * The step is shortened to hit the end and the multiples that the
-     * parameter asks for.
+     * @param old_size of the last step; a new one that differs by round-off
+     *   only has the same bits, so that nothing has to be set up for it
+     *
+     * What is left to the next target, the end or a multiple that the
+     * parameter asks for, is divided into the smallest number of equal steps
+     * that are not longer than what is allowed. So no step is shorter than
+     * half of the shorter one of these two.
      */
-    double
+    Step
     next_step(const double   time,
               const double   rate,
-              const double   old_dt,
-              const Viscous &viscous) const;
+              const double   old_wanted,
+              const Viscous &viscous,
+              const double   old_size = 0.) const;
 
     /// What is to be said at the start about a given step that is too long
     /// for the method; empty: nothing.
@@ -66,6 +86,26 @@ namespace Thalweg
     warning(const Viscous &viscous) const;
 
   private:
+    /// The step that is allowed, before what is left is divided. Arguments as
+    /// of next_step().
+    double
+    wanted_step(const double   time,
+                const double   rate,
+                const double   old_wanted,
+                const Viscous &viscous) const;
+
+    /// How much longer than allowed a step may become, as a part of it.
+    double
+    stretch() const;
+
+    /// The next time that a step must hit, for steps of @p wanted.
+    double
+    target(const double time, const double wanted) const;
+
+    /// The smallest number of steps of @p wanted, or a little more, in @p left.
+    double
+    n_steps(const double left, const double wanted) const;
+
     double       end            = 1.;
     double       fixed_step     = 0.;
     double       courant_number = 2.;

@@ -102,13 +102,13 @@ namespace Thalweg
     const auto              &geometry = space.mesh().graph().cell(cell);
     const auto              &nodes    = space.nodes(cell);
     std::vector<Target<dim>> result;
-    const auto               add = [&result](const unsigned int        node,
-                               const dealii::Point<dim> &position,
-                               const unsigned int        vertex,
-                               const double              weight) {
+    const auto               add = [&result, &geometry](const unsigned int        node,
+                                          const dealii::Point<dim> &position,
+                                          const unsigned int        vertex,
+                                          const double              weight) {
       for (Target<dim> &target : result)
         if (target.node == node && (target.position - position).norm() <=
-                                     1e-10 * position.norm() + 1e-300)
+                                     1e-6 * geometry.extent.norm())
           {
             target.coefficients[vertex] += weight;
             return;

@@ -163,9 +163,9 @@ namespace Thalweg
     const std::string warning = parameters.time.warning(viscous);
     if (!warning.empty())
       context.log.warning(warning);
-    const std::string missing =
-      context.resumed ? ""
-                      : missing_fluid(parts->particles(), parameters.fluids);
+    std::string missing;
+    if (!context.resumed && parameters.method->computes_flow())
+      missing = missing_fluid(parts->particles(), parameters.fluids);
     if (!missing.empty())
       context.log.warning(missing);
   }

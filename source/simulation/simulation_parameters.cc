@@ -276,7 +276,7 @@ namespace Thalweg
     coarse.update();
     std::vector<std::string> texts{
       touching_boundaries(coarse.triangulation(), coarse.boundary_names())};
-    if (before_run && fluids.size() == 2)
+    if (before_run && fluids.size() == 2 && method->computes_flow())
       {
         const double per_cell =
           std::pow(seeding.particles_per_direction, dim) *

@@ -83,22 +83,24 @@ namespace Thalweg
     const Mesh<dim>                   &mesh)
   {
     for (const std::string &name : parameters.no_slip)
-      set(mesh, name, {BoundaryKind::no_slip, nullptr, ""});
+      set(mesh, name, {BoundaryKind::no_slip, nullptr, "", false});
     for (const std::string &name : parameters.slip)
-      set(mesh, name, {BoundaryKind::slip, nullptr, ""});
+      set(mesh, name, {BoundaryKind::slip, nullptr, "", false});
     for (const auto &[name, text] :
          split_expressions(parameters.velocity, "Velocity"))
       set(mesh,
           name,
           {BoundaryKind::velocity,
            parse_expression<dim>(text, dim, section_name + "/Velocity"),
-           ""});
+           "",
+           mentions_time(text)});
     for (const auto &[name, text] : split_expressions(parameters.open, "Open"))
       set(mesh,
           name,
           {BoundaryKind::open,
            parse_expression<dim>(text, 1, section_name + "/Open"),
-           ""});
+           "",
+           mentions_time(text)});
     for (const std::string &entry : parameters.inflow_fluids)
       {
         const auto parts = dealii::Utilities::split_string_list(entry, ':');
@@ -178,6 +180,20 @@ namespace Thalweg
                        conditions.end(),
                        [](const auto &entry) {
                          return entry.second.kind == BoundaryKind::open;
+                       });
+  }
+
+
+
+  template <int dim>
+  bool
+  BoundaryConditions<dim>::has_transient_velocity() const
+  {
+    return std::any_of(conditions.begin(),
+                       conditions.end(),
+                       [](const auto &entry) {
+                         return entry.second.kind == BoundaryKind::velocity &&
+                                entry.second.is_transient;
                        });
   }
 

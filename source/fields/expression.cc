@@ -2,8 +2,11 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cctype>
+#include <cmath>
 #include <iostream>
 #include <sstream>
+#include <vector>
 
 namespace Thalweg
 {
@@ -37,6 +40,117 @@ namespace Thalweg
       std::ostringstream caught;
       std::streambuf    *terminal;
     };
+
+
+
+    bool
+    is_part_of_name(const char c)
+    {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    }
+
+
+
+    /// The place of the first comma that does not separate the arguments of a
+    /// function. muParser takes 'y - 0,5' as a list, whose value is its last
+    /// entry, 5.
+    std::size_t
+    find_stray_comma(const std::string &text)
+    {
+      std::vector<bool> is_call;
+      char              previous = ' ';
+      for (std::size_t i = 0; i < text.size(); ++i)
+        {
+          const char c = text[i];
+          if (c == '(')
+            is_call.push_back(is_part_of_name(previous));
+          else if (c == ')' && !is_call.empty())
+            is_call.pop_back();
+          else if (c == ',' && (is_call.empty() || !is_call.back()))
+            return i;
+          if (c != ' ')
+            previous = c;
+        }
+      return std::string::npos;
+    }
+
+
+
+    /// Throws unless all commas in @p text separate arguments of functions.
+    void
+    check_commas(const std::string &text, const std::string &where)
+    {
+      const std::size_t comma = find_stray_comma(text);
+      if (comma == std::string::npos)
+        return;
+      std::size_t begin = comma, end = comma + 1;
+      while (begin > 0 && is_part_of_name(text[begin - 1]))
+        --begin;
+      while (end < text.size() && is_part_of_name(text[end]))
+        ++end;
+      const std::string found     = text.substr(begin, end - begin);
+      std::string       corrected = found;
+      corrected[comma - begin]    = '.';
+      AssertThrow(false,
+                  dealii::ExcMessage(
+                    "The comma of '" + found + "' in the expression '" + where +
+                    " = " + text +
+                    "' separates no arguments of a function. Decimals are "
+                    "written with a point: '" +
+                    corrected + "'; components are separated by semicolons."));
+    }
+
+
+
+    /// A function of the input that refuses values that are no finite
+    /// numbers.
+    template <int dim>
+    class FiniteFunction : public dealii::FunctionParser<dim>
+    {
+    public:
+      FiniteFunction(const unsigned int n_components, const std::string &name)
+        : dealii::FunctionParser<dim>(n_components)
+        , name(name)
+      {}
+
+      double
+      value(const dealii::Point<dim> &x,
+            const unsigned int        component = 0) const override
+      {
+        const double value = dealii::FunctionParser<dim>::value(x, component);
+        if (!std::isfinite(value))
+          refuse(x, value, component);
+        return value;
+      }
+
+      /// The value, whatever it is.
+      double
+      try_value(const dealii::Point<dim> &x, const unsigned int component) const
+      {
+        return dealii::FunctionParser<dim>::value(x, component);
+      }
+
+    private:
+      [[noreturn]] void
+      refuse(const dealii::Point<dim> &x,
+             const double              value,
+             const unsigned int        component) const
+      {
+        std::ostringstream message;
+        message.precision(10);
+        message << "The expression '" << name << "' is "
+                << (std::isnan(value) ? "not a number" : "infinite") << " at ("
+                << x << "), t = " << this->get_time() << " s";
+        if (this->n_components > 1)
+          message << " (its component " << component + 1 << ")";
+        message << ". It must be a finite number in all of the domain at all "
+                   "times; 'if(condition, value, otherwise)' can keep it away "
+                   "from roots of negative numbers and divisions by zero.";
+        throw dealii::ExcMessage(message.str());
+      }
+
+      const std::string name;
+    };
   } // namespace
 
 
@@ -54,7 +168,9 @@ namespace Thalweg
                                    " expressions, but " +
                                    std::to_string(n_components) +
                                    " are needed, separated by semicolons."));
-    auto function = std::make_unique<dealii::FunctionParser<dim>>(n_components);
+    check_commas(text, where);
+    auto function =
+      std::make_unique<FiniteFunction<dim>>(n_components, where + " = " + text);
     std::string reason;
     {
       const SilentErrors errors;
@@ -65,8 +181,8 @@ namespace Thalweg
             components,
             {{"pi", dealii::numbers::PI}},
             true);
-          dealii::Vector<double> values(n_components);
-          function->vector_value(dealii::Point<dim>(), values);
+          for (unsigned int i = 0; i < n_components; ++i)
+            function->try_value(dealii::Point<dim>(), i);
         }
       catch (const dealii::ExceptionBase &)
         {
@@ -85,6 +201,18 @@ namespace Thalweg
                   ", t, pi and the functions of muParser, as in "
                   "'if(x < 0.5, 1, sin(2*pi*t))'."));
     return function;
+  }
+
+
+
+  bool
+  mentions_time(const std::string &text)
+  {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == 't' && (i == 0 || !is_part_of_name(text[i - 1])) &&
+          (i + 1 == text.size() || !is_part_of_name(text[i + 1])))
+        return true;
+    return false;
   }
 
 

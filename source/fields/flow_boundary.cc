@@ -124,7 +124,8 @@ namespace Thalweg
   FlowBoundary<dim>::project_acceleration(Vector &acceleration) const
   {
     // Fluid that does not pass a boundary of given velocity sticks to it.
-    constexpr double       impervious = 1e-10;
+    // Normals have lost some digits far from the origin.
+    constexpr double       impervious = 1e-6;
     Vector                 projected  = acceleration;
     dealii::Vector<double> value(dim);
     fixed_nodes.project(projected);

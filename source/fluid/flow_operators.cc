@@ -24,7 +24,7 @@ namespace Thalweg
         for (unsigned int d = 0; d < dim; ++d)
           if (std::abs(values.quadrature_point(q)[d] - cell.vertices[0][d] -
                        unit_points[q][d] * cell.extent[d]) >
-              1e-10 * cell.extent[d])
+              1e-10 * cell.extent[d] + coordinate_round_off(cell.vertices[0]))
             return false;
       return true;
     }
@@ -70,7 +70,9 @@ namespace Thalweg
     std::vector<unsigned int>                     examples;
     std::vector<unsigned int>                     shapes;
     lengths.resize(graph.n_owned_cells());
-    const double unit = 1e-9 * graph.minimal_extent();
+    double unit = 1e-9 * graph.minimal_extent();
+    if (graph.n_owned_cells() > 0)
+      unit += coordinate_round_off(graph.cell(0).vertices[0]);
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
         lengths[c] = graph.iterator(c)->minimum_vertex_distance();

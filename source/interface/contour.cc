@@ -268,7 +268,7 @@ namespace Thalweg
         const auto   is_image = [&](const unsigned int other) {
           return patches[other].cell == image.cell &&
                  patches[other].vertices[0].distance(image.vertices[0]) <
-                   same * size;
+                   same * size + coordinate_round_off(image.vertices[0]);
         };
         if (std::none_of(list.begin(), list.end(), is_image))
           list.push_back(offset == dealii::Tensor<1, dim>() ? p : add(image));

@@ -2,6 +2,7 @@
 #include <thalweg/mesh/cell_graph.h>
 #include <thalweg/mesh/mesh_partition.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_accessor.h>
@@ -34,6 +35,46 @@ namespace Thalweg
           }
       return true;
     }
+
+    /// The derivatives of a cell's map at @p xi, those with respect to xi[d] in
+    /// entry d. They are sums of edges: products of coordinates would lose
+    /// their digits far from the origin.
+    template <int dim>
+    dealii::Tensor<2, dim>
+    derivatives(const std::array<dealii::Point<dim>, (1 << dim)> &vertices,
+                const dealii::Point<dim>                         &xi)
+    {
+      dealii::Tensor<2, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int v = 0; v < vertices.size(); ++v)
+          if (((v >> d) & 1u) == 0)
+            {
+              double shape = 1.;
+              for (unsigned int e = 0; e < dim; ++e)
+                if (e != d)
+                  shape *= (v >> e) & 1u ? xi[e] : 1. - xi[e];
+              result[d] += shape * (vertices[v + (1u << d)] - vertices[v]);
+            }
+      return result;
+    }
+
+
+
+    /// The volume of a cell with straight edges: Gauss's rule of two points a
+    /// direction is exact for the determinant of its map.
+    template <int dim>
+    double
+    measure_of(const std::array<dealii::Point<dim>, (1 << dim)> &vertices)
+    {
+      const dealii::QGauss<dim> gauss(2);
+      double                    measure = 0.;
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+        measure += gauss.weight(q) *
+                   determinant(derivatives<dim>(vertices, gauss.point(q)));
+      return measure;
+    }
+
+
 
     /// Appends the active cells inside @p cell in the order of its children,
     /// which is that of p4est's curve.
@@ -135,7 +176,14 @@ namespace Thalweg
       entry.vertices[v] = cell->vertex(v);
     entry.axis_parallel = is_axis_parallel<dim>(entry.vertices);
     entry.extent        = entry.vertices.back() - entry.vertices.front();
-    entry.measure       = cell->measure();
+    if (entry.axis_parallel)
+      {
+        entry.measure = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          entry.measure *= entry.extent[d];
+      }
+    else
+      entry.measure = measure_of<dim>(entry.vertices);
     for (unsigned int d = 0; d < dim; ++d)
       entry.inverse_extent[d] = entry.axis_parallel ? 1. / entry.extent[d] : 0.;
     entry.owner = cell->subdomain_id();
@@ -210,7 +258,9 @@ namespace Thalweg
           cell->face(face_no)->center()[direction];
         unsigned int o = 0;
         while (o < offsets.size() &&
-               (offsets[o] - offset).norm() > 1e-10 * offset.norm())
+               (offsets[o] - offset).norm() >
+                 1e-10 * offset.norm() +
+                   coordinate_round_off(cell->face(face_no)->center()))
           ++o;
         if (o == offsets.size())
           offsets.push_back(offset);

@@ -1,5 +1,7 @@
 #include <thalweg/mesh/mesh.h>
 
+#include <sstream>
+
 namespace Thalweg
 {
   template <int dim>
@@ -19,6 +21,19 @@ namespace Thalweg
     names    = plan.boundary_names();
     periodic = plan.periodic_pairs();
     checksum = plan.coarse_checksum();
+    corners  = plan.box();
+  }
+
+
+
+  template <int dim>
+  std::string
+  Mesh<dim>::extent() const
+  {
+    std::ostringstream text;
+    text.precision(10);
+    text << "from (" << corners.first << ") to (" << corners.second << ")";
+    return text.str();
   }
 
 

@@ -1,3 +1,5 @@
+#include <thalweg/mesh/boundary_name.h>
+#include <thalweg/mesh/cell_graph.h>
 #include <thalweg/mesh/mesh_plan.h>
 
 #include <deal.II/base/function_parser.h>
@@ -6,6 +8,7 @@
 
 #include <boost/crc.hpp>
 #include <cmath>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -28,6 +31,37 @@ namespace Thalweg
             add(cell->face(f)->boundary_id());
         }
       return crc.checksum();
+    }
+    template <int dim>
+    double
+    level_at(const dealii::FunctionParser<dim> &levels,
+             const dealii::Point<dim>          &x)
+    {
+      const double       level = levels.value(x);
+      std::ostringstream message;
+      message << "'Refinement/Local levels' is " << level << " at (" << x
+              << "). It must be a finite number everywhere.";
+      AssertThrow(std::isfinite(level), dealii::ExcMessage(message.str()));
+      return level;
+    }
+
+
+
+    template <int dim>
+    std::pair<dealii::Point<dim>, dealii::Point<dim>>
+    box_around(const dealii::Triangulation<dim> &coarse)
+    {
+      auto box =
+        std::make_pair(coarse.get_vertices()[0], coarse.get_vertices()[0]);
+      for (const auto &cell : coarse.cell_iterators_on_level(0))
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double x = cell->vertex(v)[d];
+              box.first[d]   = std::min(box.first[d], x);
+              box.second[d]  = std::max(box.second[d], x);
+            }
+      return box;
     }
   } // namespace
 
@@ -117,8 +151,10 @@ namespace Thalweg
     periodic.clear();
     for (const std::string &pair : parameters.periodic_boundaries)
       periodic.push_back(find_periodic_pair(tria, pair));
+    check_periodic_faces(tria);
     join_periodic_boundaries(tria);
     checksum = checksum_of_coarse(tria);
+    corners  = box_around(tria);
   }
 
 
@@ -138,9 +174,9 @@ namespace Thalweg
         any = false;
         for (const auto &cell : tria.active_cell_iterators())
           if (cell->is_locally_owned() &&
-              cell->level() <
-                static_cast<int>(parameters.global_refinement) +
-                  static_cast<int>(std::lround(levels.value(cell->center()))))
+              cell->level() < static_cast<int>(parameters.global_refinement) +
+                                static_cast<int>(std::lround(
+                                  level_at(levels, cell->center()))))
             {
               cell->set_refine_flag();
               any = true;
@@ -164,11 +200,12 @@ namespace Thalweg
                                    "' in 'Geometry/Periodic boundaries' is no "
                                    "pair of names; write, for example, "
                                    "'left:right'."));
-    PeriodicPair       pair{find_boundary(names, parts[0]),
+    PeriodicPair           pair{find_boundary(names, parts[0]),
                       find_boundary(names, parts[1]),
                       0};
-    dealii::Point<dim> centers[2];
-    unsigned int       n_faces[2] = {0, 0};
+    dealii::Point<dim>     first[2];
+    dealii::Tensor<1, dim> centers[2];
+    unsigned int           n_faces[2] = {0, 0};
     for (const auto &cell : tria.cell_iterators_on_level(0))
       for (const unsigned int f : cell->face_indices())
         if (cell->at_boundary(f))
@@ -176,7 +213,10 @@ namespace Thalweg
             if (cell->face(f)->boundary_id() ==
                 (side == 0 ? pair.first : pair.second))
               {
-                centers[side] += cell->face(f)->center();
+                // From the first one, to keep digits far from the origin.
+                if (n_faces[side] == 0)
+                  first[side] = cell->face(f)->center();
+                centers[side] += cell->face(f)->center() - first[side];
                 ++n_faces[side];
               }
     AssertThrow(n_faces[0] == n_faces[1] && n_faces[0] > 0,
@@ -184,19 +224,52 @@ namespace Thalweg
                   "The boundaries of the periodic pair '" + pair_of_names +
                   "' do not match: one has " + std::to_string(n_faces[0]) +
                   " faces, the other " + std::to_string(n_faces[1]) + "."));
-    const auto distance = centers[1] - centers[0];
+    const auto distance =
+      (first[1] - first[0]) + (centers[1] - centers[0]) / double(n_faces[0]);
     for (unsigned int d = 1; d < dim; ++d)
       if (std::abs(distance[d]) > std::abs(distance[pair.direction]))
         pair.direction = d;
     for (unsigned int d = 0; d < dim; ++d)
       AssertThrow(d == pair.direction ||
                     std::abs(distance[d]) <=
-                      1e-8 * std::abs(distance[pair.direction]),
+                      1e-8 * std::abs(distance[pair.direction]) +
+                        coordinate_round_off(first[0]),
                   dealii::ExcMessage("The boundaries of the periodic pair '" +
                                      pair_of_names +
                                      "' do not face each other along an "
                                      "axis."));
     return pair;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshPlan<dim>::check_periodic_faces(const Triangulation &tria) const
+  {
+    using CellIterator = typename Triangulation::cell_iterator;
+    for (const PeriodicPair &pair : periodic)
+      {
+        std::vector<dealii::GridTools::PeriodicFacePair<CellIterator>> faces;
+        bool does_match = true;
+        try
+          {
+            dealii::GridTools::collect_periodic_faces(
+              tria, pair.first, pair.second, pair.direction, faces);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            does_match = false;
+          }
+        AssertThrow(does_match,
+                    dealii::ExcMessage(
+                      "The nodes of the periodic boundaries '" +
+                      boundary_name(names, pair.first) + "' and '" +
+                      boundary_name(names, pair.second) +
+                      "' do not match: each face of one needs a face of the "
+                      "other that it faces along " +
+                      "xyz"[pair.direction] + "."));
+      }
   }
 
 

@@ -29,7 +29,7 @@ namespace Thalweg
     Polynomial shape;
     for (unsigned int v = 0; v < n_vertices; ++v)
       for (unsigned int c = 0; c < dim; ++c)
-        shape[v * dim + c] = cell.vertices[v][c];
+        shape[v * dim + c] = cell.vertices[v][c] - cell.vertices[0][c];
     to_polynomial<dim>(shape);
     return shape;
   }
@@ -37,18 +37,18 @@ namespace Thalweg
 
   template <int dim>
   bool
-  CellMaps<dim>::find_reference(const unsigned int cell,
-                                const Coordinates &position,
-                                Coordinates       &reference) const
+  CellMaps<dim>::find_reference(const Polynomial  &shape,
+                                const Coordinates &way,
+                                Coordinates       &reference)
   {
     reference.fill(0.5);
     for (unsigned int iteration = 0; iteration < 20; ++iteration)
       {
-        Coordinates residual = evaluate(shape[cell], reference);
+        Coordinates residual = evaluate(shape, reference);
         for (unsigned int d = 0; d < dim; ++d)
-          residual[d] = position[d] - residual[d];
+          residual[d] = way[d] - residual[d];
         const Coordinates change =
-          solve<dim>(gradient<dim>(shape[cell], reference), residual);
+          solve<dim>(gradient<dim>(shape, reference), residual);
         double size = 0;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -68,14 +68,14 @@ namespace Thalweg
   unsigned int
   CellMaps<dim>::nearest_child(
     const std::array<int, CellGraph<dim>::n_face_children> &children,
-    const Coordinates                                      &position) const
+    const Place                                            &place) const
   {
     int    nearest          = children[0];
     double nearest_distance = std::numeric_limits<double>::max();
     for (const int child : children)
       {
         Coordinates reference;
-        if (!to_reference(child, position, reference))
+        if (!to_reference(child, place, reference))
           continue;
         double outside = 0;
         for (unsigned int d = 0; d < dim; ++d)

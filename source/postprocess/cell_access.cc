@@ -1,4 +1,5 @@
 #include <thalweg/fields/gather.h>
+#include <thalweg/particles/cell_maps.h>
 #include <thalweg/postprocess/cell_access.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -36,6 +37,31 @@ namespace Thalweg
     constexpr double round_off = 1e-9;
 
 
+    /// Finds reference coordinates; returns false if there are none, far
+    /// outside.
+    template <int dim>
+    bool
+    find_in_straight_cell(const typename CellGraph<dim>::Cell &cell,
+                          const dealii::Point<dim>            &point,
+                          dealii::Point<dim>                  &xi)
+    {
+      std::array<double, dim> way, reference;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          way[d]       = point[d] - cell.vertices[0][d];
+          reference[d] = way[d] * cell.inverse_extent[d];
+        }
+      if (!cell.axis_parallel &&
+          !CellMaps<dim>::find_reference(CellMaps<dim>::shape_of(cell),
+                                         way,
+                                         reference))
+        return false;
+      for (unsigned int d = 0; d < dim; ++d)
+        xi[d] = reference[d];
+      return true;
+    }
+
+
     /// Finds reference coordinates; returns by how much they are outside of
     /// the reference cell, at most 1.
     template <int dim>
@@ -47,10 +73,10 @@ namespace Thalweg
                  dealii::Point<dim>         &xi)
     {
       const auto &cell = mesh.graph().cell(c);
-      if (cell.axis_parallel && &mapping == &mesh.mapping())
+      if (&mapping == &mesh.mapping())
         {
-          for (unsigned int d = 0; d < dim; ++d)
-            xi[d] = (point[d] - cell.vertices[0][d]) * cell.inverse_extent[d];
+          if (!find_in_straight_cell<dim>(cell, point, xi))
+            return 1.;
         }
       else
         {
@@ -128,11 +154,15 @@ namespace Thalweg
 
     template <int dim>
     void
-    throw_outside(const std::string &what, const dealii::Point<dim> &point)
+    throw_outside(const Mesh<dim>          &mesh,
+                  const std::string        &what,
+                  const dealii::Point<dim> &point)
     {
       std::ostringstream message;
+      message.precision(10);
       message << what << " (" << point
-              << ") lies outside the mesh; move it inside.";
+              << ") lies outside the mesh; move it inside. The mesh reaches "
+              << mesh.extent() << ".";
       AssertThrow(false, dealii::ExcMessage(message.str()));
     }
   } // namespace
@@ -175,13 +205,50 @@ namespace Thalweg
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         if (winners[p] == nobody)
-          throw_outside(what, points[p]);
+          throw_outside(mesh, what, points[p]);
         located[p].is_here = winners[p] == candidates[p];
         if (least_outside[p] > 0.)
           located[p].xi =
             dealii::GeometryInfo<dim>::project_to_unit_cell(located[p].xi);
       }
     return located;
+  }
+
+
+  template <int dim>
+  void
+  check_reach(const Mesh<dim>   &mesh,
+              const unsigned int axis,
+              const double       from,
+              const double       to,
+              const std::string &what)
+  {
+    double lower = std::numeric_limits<double>::max(), upper = -lower;
+    double tolerance = 0.;
+    for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+      {
+        const auto &cell = mesh.graph().cell(c);
+        for (const auto &vertex : cell.vertices)
+          {
+            lower = std::min(lower, vertex[axis]);
+            upper = std::max(upper, vertex[axis]);
+          }
+        tolerance = std::max(tolerance, round_off * cell.extent.norm());
+      }
+    const MPI_Comm communicator = mesh.triangulation().get_communicator();
+    lower     = dealii::Utilities::MPI::min(lower, communicator);
+    upper     = dealii::Utilities::MPI::max(upper, communicator);
+    tolerance = dealii::Utilities::MPI::max(tolerance, communicator);
+    std::ostringstream message;
+    message.precision(10);
+    message << what << ", "
+            << "xyz"[axis] << " = " << from;
+    if (from < to)
+      message << " to " << to;
+    message << ", lies outside the mesh, which reaches " << mesh.extent()
+            << "; move it inside.";
+    AssertThrow(from <= upper + tolerance && to >= lower - tolerance,
+                dealii::ExcMessage(message.str()));
   }
 
 
@@ -197,7 +264,12 @@ namespace Thalweg
   template std::vector<LocatedPoint<dim>> locate(         \
     const Mesh<dim> &,                                    \
     const std::vector<dealii::Point<dim>> &,              \
-    const std::string &);
+    const std::string &);                                 \
+  template void check_reach(const Mesh<dim> &,            \
+                            const unsigned int,           \
+                            const double,                 \
+                            const double,                 \
+                            const std::string &);
   THALWEG_INSTANTIATE_ACCESS(2)
   THALWEG_INSTANTIATE_ACCESS(3)
 #undef THALWEG_INSTANTIATE_ACCESS

@@ -17,13 +17,19 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &) const override
+      check(const RunOutline<dim> &outline) const override
       {
         AssertThrow(normal != vertical,
                     dealii::ExcMessage(
                       "The plane of the column height must be parallel to "
                       "the 'Vertical direction': 'Plane normal' may not be " +
                       vertical + " too."));
+        if (outline.fills_domain)
+          check_reach(outline.mesh,
+                      axis_number(normal),
+                      position,
+                      position,
+                      "The plane of the column height");
       }
 
     private:

@@ -17,13 +17,19 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &) const override
+      check(const RunOutline<dim> &outline) const override
       {
         AssertThrow(limits.empty() ||
                       (limits.size() == 2 && limits[0] <= limits[1]),
                     dealii::ExcMessage(
                       "The 'Band' of the front position must be two "
                       "coordinates, the lesser one first, or empty."));
+        if (outline.fills_domain && !limits.empty())
+          check_reach(outline.mesh,
+                      axis_number(band_direction),
+                      limits[0],
+                      limits[1],
+                      "The 'Band' of the front position");
       }
 
     private:

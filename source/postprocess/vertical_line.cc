@@ -155,12 +155,16 @@ namespace Thalweg
                 const dealii::Point<dim> &point,
                 const unsigned int        axis)
     {
-      double size = 0.;
+      double shift = 0.;
       for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
-        size = std::max(size, mesh.graph().cell(c).vertices.back().norm());
-      const double shift =
-        1e-9 *
-        dealii::Utilities::MPI::max(size,
+        {
+          const auto &cell = mesh.graph().cell(c);
+          shift            = std::max(shift,
+                           1e-9 * cell.extent.norm() +
+                             coordinate_round_off(cell.vertices.back()));
+        }
+      shift =
+        dealii::Utilities::MPI::max(shift,
                                     mesh.triangulation().get_communicator());
 
       LineContent best;

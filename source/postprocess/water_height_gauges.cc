@@ -33,7 +33,9 @@ namespace Thalweg
             AssertThrow(
               meets_line(outline.mesh, point(g), axis_number(vertical)),
               dealii::ExcMessage("The water height gauge at " + place +
-                                 "does not meet the mesh; move it inside."));
+                                 "does not meet the mesh; move it inside. "
+                                 "The mesh reaches " +
+                                 outline.mesh.extent() + "."));
           }
       }
 

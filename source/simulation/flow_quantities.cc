@@ -30,8 +30,9 @@ namespace Thalweg
                  const dealii::Tensor<1, dim> &gravity)
     {
       static const Q1Integrals<dim> integrals;
-      const NodeSpace<dim>         &space = solution.space;
-      const CellGraph<dim>         &graph = solution.mesh.graph();
+      const NodeSpace<dim>         &space     = solution.space;
+      const CellGraph<dim>         &graph     = solution.mesh.graph();
+      const dealii::Point<dim>     &reference = solution.mesh.box().first;
       Quantities<dim>               sums;
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
         {
@@ -49,7 +50,7 @@ namespace Thalweg
                 velocity[d] = solution.velocity.local_element(dim * node + d);
               sums.kinetic_energy += .5 * mass[v] * velocity.norm_square();
               sums.potential_energy -=
-                mass[v] * (gravity * graph.cell(c).vertices[v]);
+                mass[v] * (gravity * (graph.cell(c).vertices[v] - reference));
               sums.momentum += mass[v] * velocity;
               const unsigned int fluid =
                 solution.fluids.size() == 2 &&
@@ -85,11 +86,12 @@ namespace Thalweg
     /// Integrals in the flow's own space; speeds at its nodes.
     template <int dim>
     Quantities<dim>
-    integrate(const CellGraph<dim>         &graph,
+    integrate(const Mesh<dim>              &mesh,
               const FlowFields<dim>        &flow,
               const dealii::Tensor<1, dim> &gravity)
     {
-      const auto                         &fe = flow.velocity_dofs.get_fe();
+      const CellGraph<dim>               &graph = mesh.graph();
+      const auto                         &fe    = flow.velocity_dofs.get_fe();
       const dealii::QGauss<dim>           quadrature(fe.degree + 2);
       dealii::FEValues<dim>               values(flow.mapping,
                                    fe,
@@ -112,7 +114,8 @@ namespace Thalweg
               const double mass = flow.density * values.JxW(q);
               sums.kinetic_energy += .5 * mass * velocities[q].norm_square();
               sums.potential_energy -=
-                mass * (gravity * values.quadrature_point(q));
+                mass *
+                (gravity * (values.quadrature_point(q) - mesh.box().first));
               sums.momentum += mass * velocities[q];
             }
           cell->get_dof_values(flow.velocity, nodal_values);
@@ -133,7 +136,7 @@ namespace Thalweg
     Quantities<dim> sums =
       solution.flow == nullptr
         ? sum_at_nodes(solution, phase, gravity)
-        : integrate(solution.mesh.graph(), *solution.flow, gravity);
+        : integrate(solution.mesh, *solution.flow, gravity);
     const MPI_Comm communicator =
       solution.mesh.triangulation().get_communicator();
     const auto sum = [&](const double value) {

@@ -103,6 +103,9 @@ namespace Thalweg
         }
       check(parameters, faults);
       throw_faults(faults);
+      if (context.is_root && options.validate)
+        for (const std::string &warning : parameters.warnings(true))
+          context.log.warning(warning);
       if (options.validate)
         {
           context.log.line("'" + options.file + "' is valid.");
@@ -123,6 +126,9 @@ namespace Thalweg
       context.log.line("Thalweg " THALWEG_VERSION ", " +
                        processes(communicator) + "; results go to " +
                        directory + "/");
+      if (context.is_root && !context.resumed)
+        for (const std::string &warning : parameters.warnings(false))
+          context.log.warning(warning);
       Simulation<dim> simulation(communicator,
                                  parameters,
                                  context,

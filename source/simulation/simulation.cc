@@ -1,6 +1,8 @@
 #include <thalweg/linear_algebra/krylov.h>
+#include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/frame_record.h>
+#include <thalweg/simulation/missing_fluid.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
@@ -162,6 +164,11 @@ namespace Thalweg
     const std::string warning = parameters.time.warning(viscous);
     if (!warning.empty())
       context.log.warning(warning);
+    std::string missing;
+    if (!context.resumed && parameters.method->computes_flow())
+      missing = missing_fluid(parts->particles(), parameters.fluids);
+    if (!missing.empty())
+      context.log.warning(missing);
   }
 
 
@@ -225,6 +232,7 @@ namespace Thalweg
   Simulation<dim>::advance()
   {
     constexpr unsigned int most_halvings = 4;
+    parts->check_flux_balance_of_step(time + dt);
     before_step.save(*parts);
     const Archive row;
     context.statistics.keep(row, context.log);
@@ -285,6 +293,8 @@ namespace Thalweg
     if (context.resumed)
       load_state(checkpoint, values);
     find_viscous_limit();
+    parts->check_flux_balance(time);
+    check_finite(view());
     announce();
     if (!context.resumed)
       postprocess();
@@ -320,6 +330,7 @@ namespace Thalweg
             choose_step();
           }
         advance();
+        check_finite(view());
         wish = signals.wish(context.communicator);
         record();
         postprocess();
@@ -340,24 +351,6 @@ namespace Thalweg
                         std::to_string(step) +
                         ". To go on, run again with --resume.");
     return SIGTERM;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::check_courant_number(const double courant_number) const
-  {
-    constexpr double largest = 1e4;
-    if (std::isfinite(courant_number) && courant_number < largest)
-      return;
-    std::ostringstream message;
-    message << "In step " << step + 1 << " (t = " << time
-            << " s) the Courant number is " << courant_number
-            << ": either the solution diverges, or the step is far too long. "
-               "Reduce 'Time/Courant number' or 'Time/Time step', and check "
-               "velocities and units in the input.";
-    AssertThrow(false, dealii::ExcMessage(message.str()));
   }
 
 

@@ -1,5 +1,6 @@
 #include <thalweg/core/archive.h>
 #include <thalweg/fields/expression.h>
+#include <thalweg/fields/flux_balance.h>
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/interface/signed_distance.h>
@@ -197,6 +198,26 @@ namespace Thalweg
                                   initial_level_set);
     if (phase->target_volume == 0)
       phase->target_volume = phase->volume();
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParts<dim>::check_flux_balance(const double time) const
+  {
+    if (parameters.method->computes_flow())
+      Thalweg::check_flux_balance(conditions, mesh, time);
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParts<dim>::check_flux_balance_of_step(const double end) const
+  {
+    if (conditions.has_transient_velocity())
+      check_flux_balance(end);
   }
 
 

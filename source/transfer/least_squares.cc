@@ -176,13 +176,13 @@ namespace Thalweg
   {
     const auto &geometry = space.mesh().graph().cell(cell);
     const auto &nodes    = space.nodes(cell);
-    const auto  add      = [&targets](const unsigned int        node,
-                                const dealii::Point<dim> &position,
-                                const unsigned int        vertex,
-                                const double              weight) {
+    const auto  add      = [&targets, &geometry](const unsigned int        node,
+                                           const dealii::Point<dim> &position,
+                                           const unsigned int        vertex,
+                                           const double              weight) {
       for (Target<dim> &target : targets)
         if (target.node == node && (target.position - position).norm() <=
-                                     1e-10 * position.norm() + 1e-300)
+                                     1e-6 * geometry.extent.norm())
           {
             target.coefficients[vertex] += weight;
             return;

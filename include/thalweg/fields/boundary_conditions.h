@@ -53,6 +53,8 @@ namespace Thalweg
       std::shared_ptr<dealii::FunctionParser<dim>> function;
       /// The name of the fluid that comes in, empty for the second one.
       std::string inflow_fluid;
+      /// Whether the function depends on the time.
+      bool is_transient = false;
     };
 
     /// @throws dealii::ExcMessage for names that the mesh does not have,
@@ -80,6 +82,10 @@ namespace Thalweg
     /// Whether the pressure is prescribed somewhere.
     bool
     has_open_boundary() const;
+
+    /// Whether a given velocity depends on the time.
+    bool
+    has_transient_velocity() const;
 
   private:
     void

@@ -14,14 +14,21 @@ namespace Thalweg
    * @param text the components separated by semicolons
    * @param n_components how many there must be
    * @param where the parameter, for the message
-   * @throws dealii::ExcMessage for a wrong number of components or a syntax
-   *   that muParser refuses, naming @p where
+   * @return a function that throws dealii::ExcMessage where it is evaluated
+   *   to infinity or to what is no number, with the place and the time
+   * @throws dealii::ExcMessage for a wrong number of components, a comma that
+   *   separates no arguments or a syntax that muParser refuses, naming
+   *   @p where
    */
   template <int dim>
   std::unique_ptr<dealii::FunctionParser<dim>>
   parse_expression(const std::string &text,
                    const unsigned int n_components,
                    const std::string &where);
+
+  /// Whether an expression depends on the time.
+  bool
+  mentions_time(const std::string &text);
 } // namespace Thalweg
 
 #endif

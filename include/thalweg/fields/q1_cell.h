@@ -38,10 +38,10 @@ namespace Thalweg
     inline dealii::Point<dim>
     center(const typename CellGraph<dim>::Cell &cell)
     {
-      dealii::Point<dim> sum;
+      dealii::Tensor<1, dim> sum;
       for (const auto &vertex : cell.vertices)
-        sum += dealii::Tensor<1, dim>(vertex);
-      return sum / static_cast<double>(1 << dim);
+        sum += vertex - cell.vertices[0];
+      return cell.vertices[0] + sum / static_cast<double>(1 << dim);
     }
 
     /// The point with the reference coordinates @p xi in the cell with these
@@ -51,11 +51,11 @@ namespace Thalweg
     position(const std::array<dealii::Point<dim>, (1 << dim)> &vertices,
              const dealii::Point<dim>                         &xi)
     {
-      const auto         shape = values<dim>(xi);
-      dealii::Point<dim> x;
-      for (unsigned int v = 0; v < shape.size(); ++v)
-        x += shape[v] * dealii::Tensor<1, dim>(vertices[v]);
-      return x;
+      const auto             shape = values<dim>(xi);
+      dealii::Tensor<1, dim> x;
+      for (unsigned int v = 1; v < shape.size(); ++v)
+        x += shape[v] * (vertices[v] - vertices[0]);
+      return vertices[0] + x;
     }
 
     /// Gradients of the shape functions in reference coordinates at @p xi.
@@ -108,11 +108,18 @@ namespace Thalweg
         }
       else
         {
+          // From edges, which keep their digits far from the origin.
           dealii::Tensor<2, dim> jacobian;
-          for (unsigned int v = 0; v < (1u << dim); ++v)
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int e = 0; e < dim; ++e)
-                jacobian[d][e] += cell.vertices[v][d] * reference[v][e];
+          for (unsigned int e = 0; e < dim; ++e)
+            for (unsigned int v = 0; v < (1u << dim); ++v)
+              if (((v >> e) & 1u) == 0)
+                {
+                  const unsigned int end = v + (1u << e);
+                  for (unsigned int d = 0; d < dim; ++d)
+                    jacobian[d][e] +=
+                      (cell.vertices[end][d] - cell.vertices[v][d]) *
+                      reference[end][e];
+                }
           point.determinant = determinant(jacobian);
           point.covariant   = transpose(invert(jacobian));
           for (unsigned int v = 0; v < (1u << dim); ++v)

@@ -8,11 +8,23 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace Thalweg
 {
+  /// How much the coordinates of a point may differ from what was meant, m:
+  /// some units in their last place.
+  template <int dim>
+  inline double
+  coordinate_round_off(const dealii::Point<dim> &point)
+  {
+    return 8. * std::numeric_limits<double>::epsilon() * point.norm();
+  }
+
+
+
   /**
    * @brief The locally owned and ghost cells of a mesh in flat arrays: their
    * corners, and what lies behind each face.

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Thalweg
@@ -90,6 +91,18 @@ namespace Thalweg
       return periodic;
     }
 
+    /// The lower and the upper corner of the box around the coarse mesh, m;
+    /// the same whatever is refined.
+    const std::pair<dealii::Point<dim>, dealii::Point<dim>> &
+    box() const
+    {
+      return corners;
+    }
+
+    /// Where the mesh is, for messages: "from (0 0) to (1 2)".
+    std::string
+    extent() const;
+
     /// A number that tells the coarse mesh from others.
     std::uint64_t
     coarse_checksum() const
@@ -112,13 +125,14 @@ namespace Thalweg
     void
     adopt(std::unique_ptr<Triangulation> made, const MeshPlan<dim> &plan);
 
-    MPI_Comm                       communicator;
-    std::unique_ptr<Triangulation> tria;
-    dealii::MappingQ1<dim>         mapping_q1;
-    CellGraph<dim>                 cell_graph;
-    BoundaryNames                  names;
-    std::vector<PeriodicPair>      periodic;
-    std::uint64_t                  checksum = 0;
+    MPI_Comm                                          communicator;
+    std::unique_ptr<Triangulation>                    tria;
+    dealii::MappingQ1<dim>                            mapping_q1;
+    CellGraph<dim>                                    cell_graph;
+    BoundaryNames                                     names;
+    std::vector<PeriodicPair>                         periodic;
+    std::uint64_t                                     checksum = 0;
+    std::pair<dealii::Point<dim>, dealii::Point<dim>> corners;
   };
 } // namespace Thalweg
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Thalweg
@@ -92,6 +93,13 @@ namespace Thalweg
       return periodic;
     }
 
+    /// The lower and the upper corner of the box around the coarse mesh.
+    const std::pair<dealii::Point<dim>, dealii::Point<dim>> &
+    box() const
+    {
+      return corners;
+    }
+
     /// A number that tells the coarse mesh from others: a checksum of its
     /// corners and boundary ids.
     std::uint64_t
@@ -105,10 +113,16 @@ namespace Thalweg
     find_periodic_pair(const Triangulation &tria,
                        const std::string   &pair_of_names) const;
 
-    const MeshParameters<dim> &parameters;
-    BoundaryNames              names;
-    std::vector<PeriodicPair>  periodic;
-    std::uint64_t              checksum = 0;
+    /// @throws dealii::ExcMessage if a face of a periodic boundary has no
+    ///   partner
+    void
+    check_periodic_faces(const Triangulation &tria) const;
+
+    const MeshParameters<dim>                        &parameters;
+    BoundaryNames                                     names;
+    std::vector<PeriodicPair>                         periodic;
+    std::uint64_t                                     checksum = 0;
+    std::pair<dealii::Point<dim>, dealii::Point<dim>> corners;
   };
 } // namespace Thalweg
 

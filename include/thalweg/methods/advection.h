@@ -21,6 +21,12 @@ namespace Thalweg
     void
     check() const override;
 
+    bool
+    computes_flow() const override
+    {
+      return false;
+    }
+
     void
     attach(const Parts<dim> &parts) override;
 

@@ -56,6 +56,14 @@ namespace Thalweg
     check() const
     {}
 
+    /// Whether the method computes the flow, so that given velocities must
+    /// suit an incompressible fluid.
+    virtual bool
+    computes_flow() const
+    {
+      return true;
+    }
+
     /**
      * @brief Sets up for the present mesh, with zero fields; once for each
      * mesh.

@@ -24,9 +24,40 @@ namespace Thalweg
 
     explicit CellMaps(const CellGraph<dim> &graph);
 
-    /// The map of any cell, as a polynomial; in m.
+    /**
+     * A place by its way from a corner of the mesh, in m. So places in
+     * neighbouring cells differ by round-off of the cells' size, however far
+     * away from the origin they are.
+     */
+    struct Place
+    {
+      dealii::Point<dim>     corner;
+      dealii::Tensor<1, dim> offset; ///< added where a periodic face is passed
+      Coordinates            way;
+
+      /// The way from another corner.
+      Coordinates
+      way_from(const dealii::Point<dim> &other) const
+      {
+        Coordinates result;
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = ((corner[d] - other[d]) + offset[d]) + way[d];
+        return result;
+      }
+    };
+
+    /// The map of any cell, as a polynomial: the way from its first corner,
+    /// in m.
     static Polynomial
     shape_of(const typename CellGraph<dim>::Cell &cell);
+
+    /// The coordinates of a place in a general cell, given by the map of
+    /// shape_of() and the way from its first corner; returns false if there
+    /// are none, far outside.
+    static bool
+    find_reference(const Polynomial  &shape,
+                   const Coordinates &way,
+                   Coordinates       &reference);
 
     /// The derivative of the map of a cell; not if all are axis-parallel.
     dealii::Tensor<2, dim>
@@ -35,47 +66,53 @@ namespace Thalweg
       return CellPolynomial::gradient<dim>(shape[cell], reference);
     }
 
+    /// A point of a cell by the way from the cell's first corner.
+    Place
+    place(const unsigned int cell, const Coordinates &reference) const
+    {
+      const auto &geometry = graph.cell(cell);
+      Place       place{geometry.vertices[0], {}, {}};
+      if (geometry.axis_parallel)
+        for (unsigned int d = 0; d < dim; ++d)
+          place.way[d] = reference[d] * geometry.extent[d];
+      else
+        place.way = CellPolynomial::evaluate(shape[cell], reference);
+      return place;
+    }
+
     /// The position of a point of a cell, in m.
     Coordinates
     to_space(const unsigned int cell, const Coordinates &reference) const
     {
-      const auto &geometry = graph.cell(cell);
-      if (!geometry.axis_parallel)
-        return CellPolynomial::evaluate(shape[cell], reference);
+      const Place point = place(cell, reference);
       Coordinates position;
       for (unsigned int d = 0; d < dim; ++d)
-        position[d] =
-          geometry.vertices[0][d] + reference[d] * geometry.extent[d];
+        position[d] = point.corner[d] + point.way[d];
       return position;
     }
 
-    /// The coordinates of a position in a cell; returns false if there are
-    /// none, far outside a general cell.
+    /// The coordinates of a place in a cell; returns false if there are none,
+    /// far outside a general cell.
     bool
     to_reference(const unsigned int cell,
-                 const Coordinates &position,
+                 const Place       &place,
                  Coordinates       &reference) const
     {
-      const auto &geometry = graph.cell(cell);
+      const auto       &geometry = graph.cell(cell);
+      const Coordinates way      = place.way_from(geometry.vertices[0]);
       if (!geometry.axis_parallel)
-        return find_reference(cell, position, reference);
+        return find_reference(shape[cell], way, reference);
       for (unsigned int d = 0; d < dim; ++d)
-        reference[d] =
-          (position[d] - geometry.vertices[0][d]) * geometry.inverse_extent[d];
+        reference[d] = way[d] * geometry.inverse_extent[d];
       return true;
     }
 
     /// Which of the cells behind a hanging face is nearest to a position.
     unsigned int
     nearest_child(const std::array<int, CellGraph<dim>::n_face_children> &,
-                  const Coordinates &position) const;
+                  const Place &place) const;
 
   private:
-    bool
-    find_reference(const unsigned int cell,
-                   const Coordinates &position,
-                   Coordinates       &reference) const;
-
     const CellGraph<dim>   &graph;
     std::vector<Polynomial> shape;
   };

@@ -305,25 +305,19 @@ namespace Thalweg
     for (unsigned int d = 0; d < dim; ++d)
       crossing[d] = walker.piece_begin[d] +
                     fraction * (walker.reference[d] - walker.piece_begin[d]);
-    crossing        = maps.to_space(walker.cell, crossing);
-    Coordinates end = maps.to_space(walker.cell, walker.reference);
+    auto passage = maps.place(walker.cell, crossing);
+    auto end     = maps.place(walker.cell, walker.reference);
     if (face.periodic >= 0)
-      {
-        const auto &offset = cell_graph.periodic_offsets()[face.periodic];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            crossing[d] += offset[d];
-            end[d] += offset[d];
-          }
-      }
+      passage.offset = end.offset =
+        cell_graph.periodic_offsets()[face.periodic];
 
     if (face.behind == CellGraph<dim>::Behind::cell)
       walker.cell = face.index;
     else
       walker.cell =
-        maps.nearest_child(cell_graph.face_children(face.index), crossing);
+        maps.nearest_child(cell_graph.face_children(face.index), passage);
 
-    if (!maps.to_reference(walker.cell, crossing, walker.piece_begin))
+    if (!maps.to_reference(walker.cell, passage, walker.piece_begin))
       return false;
     shorten_piece(walker, 1. - fraction);
     if (!maps.to_reference(walker.cell, end, walker.reference))

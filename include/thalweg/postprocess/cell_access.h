@@ -67,6 +67,21 @@ namespace Thalweg
          const std::vector<dealii::Point<dim>> &points,
          const std::string                     &what,
          const double                           tolerance);
+
+  /**
+   * @brief Refuses an interval along an axis that the mesh does not reach.
+   * Collective.
+   * @param from, to, in m
+   * @param what begins the message, as in "The 'Band' of the front position"
+   * @throws dealii::ExcMessage on all processes
+   */
+  template <int dim>
+  void
+  check_reach(const Mesh<dim>   &mesh,
+              const unsigned int axis,
+              const double       from,
+              const double       to,
+              const std::string &what);
 } // namespace Thalweg
 
 #endif

@@ -28,6 +28,21 @@ namespace Thalweg
     void
     check(std::vector<std::string> &faults) const;
 
+    /// What is suspicious in parameters without faults, without running: on
+    /// the coarse mesh boundaries that lie on each other and, if
+    /// @p before_run, fluids that are nowhere; a run sees that itself.
+    std::vector<std::string>
+    warnings(const bool before_run) const;
+
+    /// Appends the faults that are seen on the coarse mesh.
+    void
+    check_on_mesh(const Mesh<dim>          &coarse,
+                  std::vector<std::string> &faults) const;
+
+    /// @throws dealii::ExcMessage if the particles carry no fluid
+    void
+    check_distance_band() const;
+
     /// @throws dealii::ExcMessage if the mesh is to change and cannot
     void
     check_change() const;

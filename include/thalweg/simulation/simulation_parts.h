@@ -36,6 +36,16 @@ namespace Thalweg
     void
     set_initial_state();
 
+    /// Refuses given velocities that do not suit an incompressible fluid at
+    /// @p time. Collective. @throws dealii::ExcMessage
+    void
+    check_flux_balance(const double time) const;
+
+    /// The same for the end of a step, if it can differ from that at the
+    /// start.
+    void
+    check_flux_balance_of_step(const double end) const;
+
     /// Names what build() must know of the first mesh.
     void
     keep_constants(const Archive &archive);

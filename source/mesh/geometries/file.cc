@@ -1,4 +1,5 @@
 #include <thalweg/mesh/geometries/division.h>
+#include <thalweg/mesh/geometries/gmsh.h>
 #include <thalweg/mesh/geometries/tools.h>
 #include <thalweg/mesh/geometry.h>
 
@@ -42,13 +43,16 @@ namespace Thalweg
                     given_names,
                     "",
                     "Names for the boundary ids of the file, for example "
-                    "'inlet:1, wall:2'; the numbers stay valid as names.");
+                    "'inlet:1, wall:2'; the numbers stay valid as names. In "
+                    "files of Gmsh physical groups have their names already; "
+                    "a name given here counts before one in the file.");
       }
 
 
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {
+        check_plane();
         dealii::Triangulation<dim> mesh;
         if (is_divided)
           {
@@ -58,8 +62,11 @@ namespace Thalweg
           }
         else
           read(mesh);
+        Geometries::orient_cells(mesh);
         if (scale != 1.)
           dealii::GridTools::scale(scale, mesh);
+        if (offset.norm() > 0.)
+          dealii::GridTools::shift(scale * offset, mesh);
         Geometries::copy_coarse_mesh(mesh, triangulation, what());
         name_boundaries(mesh);
       }
@@ -129,6 +136,14 @@ namespace Thalweg
           {
             if (mesh_format == dealii::GridIn<dim>::exodusii)
               reader.read_exodusii(file_name);
+            else if (is_gmsh())
+              {
+                dealii::Tensor<1, 3> moved;
+                std::istringstream near(Geometries::near_origin(stream, moved));
+                for (unsigned int d = 0; d < dim; ++d)
+                  offset[d] = moved[d];
+                reader.read_msh(near);
+              }
             else
               reader.read(stream, mesh_format);
           }
@@ -151,6 +166,62 @@ namespace Thalweg
       }
 
 
+      /// Refuses meshes of two dimensions in another plane than that of x and
+      /// y: of their points only these coordinates are read.
+      void
+      check_plane() const
+      {
+        if constexpr (dim == 2)
+          {
+            dealii::Triangulation<2, 3> surface;
+            dealii::GridIn<2, 3>        reader(surface);
+            std::ifstream               stream(file_name);
+            if (!is_gmsh() || !stream)
+              return;
+            try
+              {
+                reader.read_msh(stream);
+              }
+            catch (const std::exception &)
+              {
+                return; // read() says what is wrong
+              }
+            Geometries::check_plane(surface, what());
+          }
+      }
+
+
+      bool
+      is_gmsh() const
+      {
+        return format() == dealii::GridIn<dim>::msh;
+      }
+
+
+      /// Adds the names of Gmsh's physical groups that are boundaries.
+      void
+      add_physical_names() const
+      {
+        if (!is_gmsh())
+          return;
+        std::ifstream stream(file_name);
+        const auto    numbered = names;
+        for (const auto &[name, id] :
+             Geometries::physical_names(stream, dim - 1, what()))
+          {
+            if (numbered.count(std::to_string(id)) == 0)
+              continue; // inside of the mesh
+            const auto [entry, is_new] = names.emplace(name, id);
+            AssertThrow(is_new || entry->second == id,
+                        dealii::ExcMessage(
+                          what() + " calls its boundary " + std::to_string(id) +
+                          " '" + name +
+                          "', which is the number of another one. Give it "
+                          "another name."));
+          }
+      }
+
+
       void
       name_boundaries(const dealii::Triangulation<dim> &mesh) const
       {
@@ -158,13 +229,22 @@ namespace Thalweg
         std::string numbers;
         for (const auto &[number, id] : names)
           numbers += (numbers.empty() ? "" : ", ") + number;
+        const auto numbered = names;
+        add_physical_names();
         for (const auto &[name, id] : given_names)
           {
-            AssertThrow(names.count(std::to_string(id)) > 0,
+            AssertThrow(numbered.count(std::to_string(id)) > 0,
                         dealii::ExcMessage(
                           what() + " has no boundary " + std::to_string(id) +
                           ", which 'Boundary names' calls '" + name +
                           "'. It has: " + numbers + "."));
+            const auto same = numbered.find(name);
+            AssertThrow(same == numbered.end() || same->second == id,
+                        dealii::ExcMessage(
+                          "'Boundary names' calls the boundary " +
+                          std::to_string(id) + " '" + name +
+                          "', which is the number of another one in '" +
+                          file_name + "'. Give it another name."));
             names[name] = id;
           }
       }
@@ -175,6 +255,8 @@ namespace Thalweg
       bool                                is_divided = false;
       std::map<std::string, unsigned int> given_names;
       mutable std::map<std::string, dealii::types::boundary_id> names;
+      /// What is still missing from the coordinates that were read.
+      mutable dealii::Tensor<1, dim> offset;
     };
   } // namespace
 
@@ -184,5 +266,6 @@ namespace Thalweg
                    "a mesh of quadrilaterals or hexahedra from a file, or of "
                    "cells that are divided into such. Boundary and material "
                    "ids are kept; boundaries are "
-                   "called by their numbers, or by given names.")
+                   "called by their numbers, by the names of Gmsh's physical "
+                   "groups, or by given names.")
 } // namespace Thalweg

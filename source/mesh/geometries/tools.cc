@@ -2,6 +2,7 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,37 @@ namespace Thalweg
 
 
     void
+    check_plane(const dealii::Triangulation<2, 3> &surface,
+                const std::string                 &what)
+    {
+      if (surface.n_active_cells() == 0)
+        return;
+      dealii::Point<3> lower = surface.get_vertices()[0], upper = lower;
+      for (const auto &cell : surface.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              lower[d] = std::min(lower[d], cell->vertex(v)[d]);
+              upper[d] = std::max(upper[d], cell->vertex(v)[d]);
+            }
+      const double tolerance = 1e-6 * lower.distance(upper);
+      if (upper[2] - lower[2] <= tolerance)
+        return;
+      std::ostringstream message;
+      message << what << " does not lie in the plane of x and y: its z go from "
+              << lower[2] << " to " << upper[2];
+      for (const unsigned int d : {0, 1})
+        if (upper[d] - lower[d] <= tolerance)
+          message << ", and all of its "
+                  << "xy"[d] << " are " << lower[d];
+      message << ". In two dimensions the vertical axis is y, and z does not "
+                 "exist: turn the mesh (in Gmsh, for one in x and z: 'Rotate "
+                 "{{1, 0, 0}, {0, 0, 0}, -Pi/2} {Surface{:};}').";
+      throw dealii::ExcMessage(message.str());
+    }
+
+
+    void
     refuse_cell(const std::string &what, const std::string &cell)
     {
       throw dealii::ExcMessage(
@@ -116,6 +148,30 @@ namespace Thalweg
         " (counted from 0 without lines and, in 3D, surfaces). Repair the "
         "mesh.");
     }
+
+    template <int dim>
+    void
+    orient_cells(dealii::Triangulation<dim> &mesh)
+    {
+      if (!mesh.all_reference_cells_are_hyper_cube() || mesh.n_levels() != 1)
+        return;
+      auto [points, cells, subcells] =
+        dealii::GridTools::get_coarse_mesh_description(mesh);
+      auto near = points;
+      for (auto &point : near)
+        point -= dealii::Tensor<1, dim>(points[0]);
+      const auto before = cells;
+      dealii::GridTools::invert_cells_with_negative_measure(near, cells);
+      bool is_changed = false;
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        is_changed = is_changed || cells[c].vertices != before[c].vertices;
+      if (!is_changed)
+        return;
+      dealii::GridTools::consistently_order_cells(cells);
+      mesh.clear();
+      mesh.create_triangulation(points, cells, subcells);
+    }
+
 
     namespace
     {
@@ -137,6 +193,7 @@ namespace Thalweg
               if (determinant <= 1e-9 * std::pow(cell->diameter(), dim))
                 {
                   std::ostringstream text;
+                  text.precision(10);
                   text << cell->index() << " with its centre at ("
                        << cell->center() << ")";
                   refuse_cell(what, text.str());
@@ -200,7 +257,8 @@ namespace Thalweg
                 numbered_boundaries(const dealii::Triangulation<dim> &);       \
   template void copy_coarse_mesh(const dealii::Triangulation<dim> &,           \
                                  dealii::Triangulation<dim> &,                 \
-                                 const std::string &);
+                                 const std::string &);                         \
+  template void orient_cells(dealii::Triangulation<dim> &);
     THALWEG_INSTANTIATE_TOOLS(2)
     THALWEG_INSTANTIATE_TOOLS(3)
 #undef THALWEG_INSTANTIATE_TOOLS

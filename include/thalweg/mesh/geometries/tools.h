@@ -73,6 +73,27 @@ namespace Thalweg
                      dealii::Triangulation<dim>       &target,
                      const std::string                &what);
 
+    /**
+     * @brief Refuses a mesh of two dimensions that does not lie in a plane of
+     * constant z.
+     * @param what names the mesh at the beginning of a message
+     * @throws dealii::ExcMessage that says in which plane it lies
+     */
+    void
+    check_plane(const dealii::Triangulation<2, 3> &surface,
+                const std::string                 &what);
+
+    /**
+     * @brief Turns cells inside out whose volume is negative.
+     *
+     * deal.II does so for what it reads, but computes the volumes from products
+     * of coordinates, which are wrong for small cells far from the origin; here
+     * they are counted from a point of the mesh.
+     */
+    template <int dim>
+    void
+    orient_cells(dealii::Triangulation<dim> &mesh);
+
     /// Throws a message that cell number @p cell of the mesh @p what is
     /// inverted.
     [[noreturn]] void

@@ -1,0 +1,25 @@
+#ifndef thalweg_mesh_touching_boundaries_h
+#define thalweg_mesh_touching_boundaries_h
+
+#include <thalweg/mesh/mesh_plan.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief What to tell users about boundary faces of a coarse mesh that lie
+   * on each other from opposite sides, as those of two blocks whose nodes were
+   * not merged: how many, of which boundaries, and where.
+   * @param names of the boundaries
+   * @return nothing if there are none; periodic faces do not count
+   */
+  template <int dim>
+  std::string
+  touching_boundaries(const dealii::Triangulation<dim> &coarse,
+                      const BoundaryNames              &names);
+} // namespace Thalweg
+
+#endif

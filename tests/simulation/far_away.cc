@@ -1,0 +1,191 @@
+#include <array>
+#include <gtest/gtest.h>
+
+#include "run_case.h"
+#include "support/input.h"
+
+namespace
+{
+  /// Offsets that positions of a few binary digits can bear exactly: what
+  /// differs is round-off of the run alone.
+  constexpr double near = 1048576., far = 8388608.;
+
+  const std::array<const char *, 7> columns{{"volume 1 [m^d]",
+                                             "volume 2 [m^d]",
+                                             "kinetic energy [J]",
+                                             "potential energy [J]",
+                                             "momentum x [kg m/s]",
+                                             "max velocity 1 [m/s]",
+                                             "max velocity 2 [m/s]"}};
+
+
+
+  template <int dim>
+  void
+  expect_same(const RunCase<dim> &at_origin,
+              const RunCase<dim> &away,
+              const double        tolerance)
+  {
+    for (const char *column : columns)
+      EXPECT_NEAR(away.last(column),
+                  at_origin.last(column),
+                  tolerance * std::abs(at_origin.last(column)))
+        << column;
+    EXPECT_EQ(away.last("particles"), at_origin.last("particles"));
+    EXPECT_EQ(away.last("particles lost in all"), 0.);
+  }
+
+
+
+  /// A coordinate that is counted from @p offset.
+  std::string
+  from(const std::string &axis, const double offset)
+  {
+    return "(" + axis + " - " + std::to_string(offset) + ")";
+  }
+
+
+
+  std::string
+  point(const double x, const double y, const double offset)
+  {
+    return std::to_string(x + offset) + "," + std::to_string(y - offset);
+  }
+
+
+
+  const std::string steps =
+    section("Time", {"Time step = 0.0078125", "End time = 0.0625"});
+
+
+
+  /// A column of water that begins to fall, with its lower corner at
+  /// (offset, -offset).
+  std::string
+  dam_break(const double offset, const std::vector<std::string> &refinement)
+  {
+    return section("Geometry",
+                   {},
+                   section("box",
+                           {"Lower corner = " + point(0., 0., offset),
+                            "Upper corner = " + point(1., .5, offset),
+                            "Repetitions = 16, 8"})) +
+           section("Refinement", refinement) + steps +
+           section("Body forces", {"Gravity = 0, -9.81"}) +
+           section("Initial conditions",
+                   {"Level set = max(" + from("x", offset) + " - 0.26, " +
+                    from("y", -offset) + " - 0.31)"}) +
+           tight_solver("1e-12", "1e-12");
+  }
+
+
+
+  std::string
+  dam_break_3d(const double offset)
+  {
+    const std::string x = std::to_string(offset),
+                      z = std::to_string(offset / 2.);
+    return section("Geometry",
+                   {},
+                   section("box",
+                           {"Lower corner = " + x + ", -" + x + ", " + z,
+                            "Upper corner = " + std::to_string(offset + 1.) +
+                              ", " + std::to_string(.25 - offset) + ", " +
+                              std::to_string(offset / 2. + .5),
+                            "Repetitions = 8, 2, 4"})) +
+           steps + section("Body forces", {"Gravity = 0, 0, -9.81"}) +
+           section("Initial conditions",
+                   {"Level set = max(" + from("x", offset) + " - 0.26, " +
+                    from("z", offset / 2.) + " - 0.31)"}) +
+           tight_solver("1e-12", "1e-12");
+  }
+
+
+
+  /// The same in cells without right angles.
+  std::string
+  skew_dam_break(const double offset)
+  {
+    return section("Geometry",
+                   {"Model = generator"},
+                   section("generator",
+                           {"Function = general_cell",
+                            "Arguments = " + point(0., 0., offset) + ";" +
+                              point(1., .125, offset) + ";" +
+                              point(.125, .75, offset) + ";" +
+                              point(1.25, .625, offset) + ": false"})) +
+           section("Refinement", {"Global levels = 3"}) + steps +
+           section("Body forces", {"Gravity = 0, -9.81"}) +
+           section("Initial conditions",
+                   {"Level set = max(" + from("x", offset) + " - 0.5, " +
+                    from("y", -offset) + " - 0.4)"}) +
+           tight_solver("1e-12", "1e-12");
+  }
+
+
+
+  /// One fluid under a moving lid.
+  std::string
+  cavity(const double offset)
+  {
+    return section("Geometry",
+                   {},
+                   section("box",
+                           {"Lower corner = " + point(0., 0., offset),
+                            "Upper corner = " + point(1., 1., offset),
+                            "Repetitions = 8, 8"})) +
+           steps + section("Method", {"Model = single fluid pfem2"}) +
+           one_fluid(1., .01) +
+           section("Boundary conditions",
+                   {"Velocity = top: 1; 0", "Otherwise = no slip"});
+  }
+} // namespace
+
+
+
+TEST(FarAway, DamBreakIsAsAtTheOrigin)
+{
+  const RunCase<2> origin(dam_break(0., {}));
+  expect_same(origin, RunCase<2>(dam_break(near, {})), 1e-6);
+  expect_same(origin, RunCase<2>(dam_break(far, {})), 1e-5);
+}
+
+
+
+TEST(FarAway, DamBreakOnHangingNodesIsAsAtTheOrigin)
+{
+  const auto levels = [](const double offset) {
+    return std::vector<std::string>{"Local levels = if(" + from("x", offset) +
+                                    " < 0.5, 1, 0)"};
+  };
+  const RunCase<2> origin(dam_break(0., levels(0.)));
+  expect_same(origin, RunCase<2>(dam_break(near, levels(near))), 1e-6);
+}
+
+
+
+TEST(FarAway, SkewCellsAreAsAtTheOrigin)
+{
+  const RunCase<2> origin(skew_dam_break(0.));
+  expect_same(origin, RunCase<2>(skew_dam_break(near)), 1e-6);
+}
+
+
+
+TEST(FarAway, DamBreakIsAsAtTheOrigin3d)
+{
+  const RunCase<3> origin(dam_break_3d(0.));
+  expect_same(origin, RunCase<3>(dam_break_3d(near)), 1e-6);
+}
+
+
+
+TEST(FarAway, OneFluidIsAsAtTheOrigin)
+{
+  const RunCase<2> origin(cavity(0.)), away(cavity(near));
+  for (const char *column : {"kinetic energy [J]", "momentum x [kg m/s]"})
+    EXPECT_NEAR(away.last(column),
+                origin.last(column),
+                1e-6 * std::abs(origin.last("kinetic energy [J]")))
+      << column;
+}

@@ -30,6 +30,17 @@ namespace Thalweg
       "volume 1 [m^d]",
       "volume 2 [m^d]",
       "target volume 1 [m^d]",
+      "correction of volume 1 [m^d]",
+      "debt of volume 1 [m^d]",
+      "carried volume 1 [m^d]",
+      "carried volume 2 [m^d]",
+      "volume 1 in [m^d]",
+      "volume 1 out [m^d]",
+      "volume 2 in [m^d]",
+      "volume 2 out [m^d]",
+      "volume 1 lost [m^d]",
+      "volume 2 lost [m^d]",
+      "volume owed [m^d]",
       "level set shift",
       "velocity time [s]",
       "kinetic energy [J]",
@@ -362,6 +373,34 @@ namespace Thalweg
 
   template <int dim>
   void
+  Simulation<dim>::record_volumes()
+  {
+    if (parameters.fluids.size() == 1)
+      return;
+    auto                  &statistics = context.statistics;
+    const PhaseField<dim> &phase      = parts->phases();
+    const VolumeBooks     &books      = parts->books();
+    const FluidVolumes     carried    = parts->carried_volumes();
+    const FluidVolumes     in = books.in(), out = books.out();
+    statistics.set("target volume 1 [m^d]", books.inside()[0]);
+    statistics.set("correction of volume 1 [m^d]",
+                   phase.volume() - phase.volume_before_shift());
+    statistics.set("debt of volume 1 [m^d]", carried[0] - phase.volume());
+    statistics.set("volume owed [m^d]", books.owed);
+    for (unsigned int f = 0; f < 2; ++f)
+      {
+        const std::string fluid = "volume " + std::to_string(f + 1);
+        statistics.set("carried " + fluid + " [m^d]", carried[f]);
+        statistics.set(fluid + " in [m^d]", in[f]);
+        statistics.set(fluid + " out [m^d]", out[f]);
+        statistics.set(fluid + " lost [m^d]", books.lost[f]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::record()
   {
     auto                  &statistics = context.statistics;
@@ -376,7 +415,7 @@ namespace Thalweg
     statistics.set("volume 1 before shift [m^d]", phase.volume_before_shift());
     statistics.set("volume 1 [m^d]", phase.volume());
     statistics.set("volume 2 [m^d]", phase.total_volume() - phase.volume());
-    statistics.set("target volume 1 [m^d]", phase.target_volume);
+    record_volumes();
     statistics.set("level set shift", phase.shift());
     statistics.set("velocity time [s]", parameters.method->velocity_time(time));
     for (const auto &[name, value] :

@@ -120,6 +120,10 @@ namespace Thalweg
     void
     record();
 
+    /// What there is of both fluids, on particles and on the mesh.
+    void
+    record_volumes();
+
     SimulationParameters<dim>        &parameters;
     Context                          &context;
     const Settings                    settings;

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace Thalweg
 {
@@ -51,107 +50,24 @@ namespace Thalweg
       return particles;
     }
 
-    /// A face divided into squares, one a particle.
+    /// The middle of one of the n^(dim-1) squares of a face, at a distance of
+    /// the face in parts of the cell.
     template <int dim>
-    struct Tiles
+    dealii::Point<dim>
+    before_face(const Face<dim>   &face,
+                const unsigned int square,
+                const unsigned int n,
+                const double       distance)
     {
-      Tiles(const Face<dim> &face, const unsigned int n)
-        : face(face)
-        , n(n)
-        , number(dealii::Utilities::pow(n, dim - 1))
-      {}
-
-      /// The middle of tile @p index, at a distance of the face.
-      dealii::Point<dim>
-      center(const unsigned int index, const double distance) const
-      {
-        dealii::Point<dim> xi;
-        xi[face.face_no / 2] = face.face_no % 2 == 0 ? distance : 1. - distance;
-        for (unsigned int d = 0, rest = index; d < dim; ++d)
-          if (d != face.face_no / 2)
-            {
-              xi[d] = (rest % n + .5) / n;
-              rest /= n;
-            }
-        return xi;
-      }
-
-      /// The tile before which a point of the cell stands.
-      unsigned int
-      index(const dealii::Point<dim> &xi) const
-      {
-        unsigned int index = 0, stride = 1;
-        for (unsigned int d = 0; d < dim; ++d)
-          if (d != face.face_no / 2)
-            {
-              const long place = std::floor(xi[d] * n + reference_round_off);
-              index += stride * std::clamp<long>(place, 0, n - 1);
-              stride *= n;
-            }
-        return index;
-      }
-
-      /// The tiles, beginning with the one that has the most room before it.
-      std::vector<unsigned int>
-      emptiest_first(const Population<dim> &population) const
-      {
-        std::vector<long> room(number, rounded(1.));
-        for (const auto &particle : population.handler().particles_in_cell(
-               population.mesh().graph().iterator(face.cell)))
+      dealii::Point<dim> xi;
+      xi[face.face_no / 2] = face.face_no % 2 == 0 ? distance : 1. - distance;
+      for (unsigned int d = 0, rest = square; d < dim; ++d)
+        if (d != face.face_no / 2)
           {
-            const auto &xi      = particle.get_reference_location();
-            long       &of_tile = room[index(xi)];
-            of_tile = std::min(of_tile, rounded(depth<dim>(face, xi)));
+            xi[d] = (rest % n + .5) / n;
+            rest /= n;
           }
-        std::vector<unsigned int> order(number);
-        for (unsigned int i = 0; i < number; ++i)
-          order[i] = i;
-        std::stable_sort(order.begin(),
-                         order.end(),
-                         [&](const unsigned int a, const unsigned int b) {
-                           return room[a] > room[b];
-                         });
-        return order;
-      }
-
-      const Face<dim>   &face;
-      const unsigned int n;
-      const unsigned int number;
-    };
-
-    /// The outward volume in m^dim/s through a point of a face times its
-    /// weight.
-    template <int dim>
-    double
-    flux_at(const Face<dim>               &face,
-            const unsigned int             q,
-            const BoundaryConditions<dim> &conditions,
-            const NodeSpace<dim>          &space,
-            const Vector                  &velocity)
-    {
-      const auto            &condition = conditions.at(face.id);
-      const auto            &xi        = face.reference_points[q];
-      const auto            &normal    = face.normals_times_weight[q];
-      dealii::Tensor<1, dim> v;
-      if (condition.kind == BoundaryKind::velocity)
-        {
-          dealii::Vector<double> value(dim);
-          condition.function->vector_value(
-            Q1::position<dim>(space.mesh().graph().cell(face.cell).vertices,
-                              xi),
-            value);
-          for (unsigned int d = 0; d < dim; ++d)
-            v[d] = value[d];
-        }
-      else
-        {
-          const auto shape = Q1::values<dim>(xi);
-          for (unsigned int i = 0; i < shape.size(); ++i)
-            for (unsigned int d = 0; d < dim; ++d)
-              v[d] += shape[i] * velocity.local_element(
-                                   dim * space.nodes(face.cell)[i] + d);
-        }
-      return v * normal;
+      return xi;
     }
   } // namespace
 
@@ -165,94 +81,11 @@ namespace Thalweg
     const unsigned int               particles_per_direction)
     : space(space)
     , boundary(boundary)
-    , inflow_level_set(inflow_level_set)
+    , inflow(space.mesh().graph(), inflow_level_set)
     , convection(convection)
     , particles_per_direction(particles_per_direction)
     , accounts(space.mesh().graph(), boundary)
   {}
-
-
-  template <int dim>
-  double
-  BoundaryExchange<dim>::inflow_value(const unsigned int        face,
-                                      const dealii::Point<dim> &xi) const
-  {
-    const auto &[cell, face_no, id, points, normals] =
-      boundary.passable_faces()[face];
-    return inflow_level_set.at(id)(
-      Q1::position<dim>(space.mesh().graph().cell(cell).vertices, xi));
-  }
-
-
-  template <int dim>
-  std::vector<typename BoundaryExchange<dim>::Flux>
-  BoundaryExchange<dim>::find_fluxes(const Vector &velocity,
-                                     const double  dt) const
-  {
-    const auto       &faces = boundary.passable_faces();
-    std::vector<Flux> fluxes(faces.size());
-    for (unsigned int i = 0; i < faces.size(); ++i)
-      for (unsigned int q = 0; q < faces[i].reference_points.size(); ++q)
-        {
-          const double volume =
-            dt *
-            flux_at<dim>(faces[i], q, boundary.conditions(), space, velocity);
-          if (volume > 0)
-            fluxes[i].out += volume;
-          else if (volume < 0)
-            fluxes[i]
-              .in[inflow_value(i, faces[i].reference_points[q]) < 0 ? 0 : 1] -=
-              volume;
-        }
-    return fluxes;
-  }
-
-
-  template <int dim>
-  void
-  BoundaryExchange<dim>::balance(std::vector<Flux> &fluxes) const
-  {
-    // What the faces can be scaled by without turning any of them around.
-    constexpr double    most  = .5;
-    const auto         &faces = boundary.passable_faces();
-    std::vector<double> areas(faces.size());
-    std::vector<double> sums(3); // net outflow, passage and area if open
-    for (unsigned int i = 0; i < faces.size(); ++i)
-      {
-        const double in = fluxes[i].in[0] + fluxes[i].in[1];
-        sums[0] += fluxes[i].out - in;
-        if (boundary.conditions().at(faces[i].id).kind != BoundaryKind::open)
-          continue;
-        dealii::Tensor<1, dim> area;
-        for (const auto &part : faces[i].normals_times_weight)
-          area += part;
-        areas[i] = area.norm();
-        sums[1] += fluxes[i].out + in;
-        sums[2] += areas[i];
-      }
-    dealii::Utilities::MPI::sum(sums,
-                                space.mesh().triangulation().get_communicator(),
-                                sums);
-    if (sums[2] == 0)
-      return;
-    const double scale =
-      sums[1] > 0 ? std::clamp(-sums[0] / sums[1], -most, most) : 0.;
-    const double rest = -sums[0] - scale * sums[1];
-    for (unsigned int i = 0; i < faces.size(); ++i)
-      if (areas[i] > 0)
-        {
-          fluxes[i].out *= 1. + scale;
-          for (double &volume : fluxes[i].in)
-            volume *= 1. - scale;
-          const double volume = rest * areas[i] / sums[2];
-          if (volume > 0)
-            fluxes[i].out += volume;
-          else
-            fluxes[i]
-              .in[inflow_value(i, faces[i].reference_points[0]) < 0 ? 0 : 1] -=
-              volume;
-        }
-  }
 
 
   template <int dim>
@@ -307,10 +140,10 @@ namespace Thalweg
 
   template <int dim>
   void
-  BoundaryExchange<dim>::let_out(Population<dim>         &population,
-                                 const std::vector<Flux> &fluxes,
-                                 const ConvectionReport  &report,
-                                 VolumeBooks             &counted)
+  BoundaryExchange<dim>::let_out(Population<dim>             &population,
+                                 const std::vector<FaceFlux> &fluxes,
+                                 const ConvectionReport      &report,
+                                 VolumeBooks                 &counted)
   {
     std::vector<FluidVolumes> left(fluxes.size());
     for (const Exit &exit : report.exits)
@@ -342,10 +175,9 @@ namespace Thalweg
   template <int dim>
   void
   BoundaryExchange<dim>::fill_particles(
-    const Population<dim>         &population,
     const unsigned int             number,
     const unsigned int             fluid,
-    const double                   inflow,
+    const double                   passed,
     const CellVelocity<dim>       &cell_velocity,
     const double                   dt,
     std::vector<NewParticle<dim>> &particles)
@@ -354,42 +186,45 @@ namespace Thalweg
     const unsigned int per_d = particles_per_direction;
     const double       whole = space.mesh().graph().cell(face.cell).measure /
                          dealii::Utilities::pow(per_d, dim);
-    double            &waiting = accounts[number].waiting[fluid];
-    const unsigned int n = std::floor(waiting / whole + reference_round_off);
-    if (n == 0)
+    double &waiting = accounts[number].waiting[fluid];
+    if (waiting < (1. - reference_round_off) * whole)
       return;
-    const Tiles<dim> tiles(face, per_d);
-    auto             order       = tiles.emptiest_first(population);
-    const auto       is_of_other = [&](const unsigned int tile) {
-      const bool is_negative = inflow_value(number, tiles.center(tile, 0.)) < 0;
-      return is_negative != (fluid == 0);
-    };
-    const auto end = std::remove_if(order.begin(), order.end(), is_of_other);
-    if (end != order.begin())
-      order.erase(end, order.end());
-    // The first of them came in before the others.
+    // Of an interface that crosses the face the squares of this fluid.
+    std::vector<unsigned int> squares;
+    for (unsigned int i = 0; i < dealii::Utilities::pow(per_d, dim - 1); ++i)
+      if ((inflow.value(face, before_face<dim>(face, i, per_d, 0.)) < 0) ==
+          (fluid == 0))
+        squares.push_back(i);
+    if (squares.empty())
+      squares.push_back(0);
+    const double       row = squares.size() * whole;
+    const unsigned int n   = std::floor(waiting / row + reference_round_off);
+    // The first row came in before the others.
     for (unsigned int k = 0; k < n; ++k)
       {
-        const unsigned int tile   = order[k % order.size()];
-        const double       volume = std::min(whole, waiting);
-        waiting -= volume;
-        NewParticle<dim> particle{face.cell,
-                                  tiles.center(tile, .5 / per_d),
-                                  0.,
-                                  {}};
-        if (inflow > 0)
-          particle.time = std::min(1., waiting / inflow) * dt;
-        const auto on_face = tiles.center(tile, 0.);
-        const auto shape   = Q1::values<dim>(on_face);
-        for (unsigned int v = 0; v < shape.size(); ++v)
-          for (unsigned int d = 0; d < dim; ++d)
-            particle.properties[Population<dim>::velocity_offset + d] +=
-              shape[v] * cell_velocity[face.cell][dim * v + d];
-        const double value = inflow_value(number, on_face);
-        particle.properties[Population<dim>::level_set_offset] =
-          (value < 0) == (fluid == 0) ? value : -value;
-        particle.properties[Population<dim>::volume_offset] = volume;
-        particles.push_back(particle);
+        const double volume = std::min(whole, waiting / squares.size());
+        waiting -= squares.size() * volume;
+        const double time =
+          passed > 0 ? std::min(1., std::max(waiting, 0.) / passed) * dt : 0.;
+        for (const unsigned int square : squares)
+          {
+            NewParticle<dim> particle{
+              face.cell,
+              before_face<dim>(face, square, per_d, .5 / per_d),
+              time,
+              {}};
+            const auto on_face = before_face<dim>(face, square, per_d, 0.);
+            const auto shape   = Q1::values<dim>(on_face);
+            for (unsigned int v = 0; v < shape.size(); ++v)
+              for (unsigned int d = 0; d < dim; ++d)
+                particle.properties[Population<dim>::velocity_offset + d] +=
+                  shape[v] * cell_velocity[face.cell][dim * v + d];
+            const double value = inflow.value(face, on_face);
+            particle.properties[Population<dim>::level_set_offset] =
+              (value < 0) == (fluid == 0) ? value : -value;
+            particle.properties[Population<dim>::volume_offset] = volume;
+            particles.push_back(particle);
+          }
       }
   }
 
@@ -412,8 +247,7 @@ namespace Thalweg
         counted.boundaries[id];
     counted.lost = report.lost_volume;
 
-    std::vector<Flux> fluxes = find_fluxes(velocity, dt);
-    balance(fluxes);
+    const auto fluxes = find_fluxes(space, boundary, inflow, velocity, dt);
     let_out(population, fluxes, report, counted);
     std::vector<NewParticle<dim>> particles;
     for (unsigned int i = 0; i < faces.size(); ++i)
@@ -421,8 +255,7 @@ namespace Thalweg
         {
           accounts[i].waiting[f] += fluxes[i].in[f];
           counted.boundaries[faces[i].id].in[f] += fluxes[i].in[f];
-          fill_particles(
-            population, i, f, fluxes[i].in[f], cell_velocity, dt, particles);
+          fill_particles(i, f, fluxes[i].in[f], cell_velocity, dt, particles);
         }
     unsigned int n_new = 0;
     if (!counted.boundaries.empty())

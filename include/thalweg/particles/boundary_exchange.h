@@ -2,6 +2,7 @@
 #define thalweg_particles_boundary_exchange_h
 
 #include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/particles/boundary_flux.h>
 #include <thalweg/particles/face_accounts.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/volume_books.h>
@@ -78,24 +79,11 @@ namespace Thalweg
     keep(const Archive &archive);
 
   private:
-    /// What passes a face in a step, m^dim.
-    struct Flux
-    {
-      FluidVolumes in{};
-      double       out = 0;
-    };
-
-    std::vector<Flux>
-    find_fluxes(const Vector &velocity, const double dt) const;
-
     void
-    balance(std::vector<Flux> &fluxes) const;
-
-    void
-    let_out(Population<dim>         &population,
-            const std::vector<Flux> &fluxes,
-            const ConvectionReport  &report,
-            VolumeBooks             &counted);
+    let_out(Population<dim>             &population,
+            const std::vector<FaceFlux> &fluxes,
+            const ConvectionReport      &report,
+            VolumeBooks                 &counted);
 
     void
     take(Population<dim>   &population,
@@ -108,21 +96,19 @@ namespace Thalweg
               const FluidVolumes &left,
               FluidVolumes       &out);
 
+    /// Makes particles of what waits at a face, a row as it comes in.
+    /// @param passed what of it came in during the step, m^dim
     void
-    fill_particles(const Population<dim>         &population,
-                   const unsigned int             face,
+    fill_particles(const unsigned int             face,
                    const unsigned int             fluid,
-                   const double                   inflow,
+                   const double                   passed,
                    const CellVelocity<dim>       &cell_velocity,
                    const double                   dt,
                    std::vector<NewParticle<dim>> &particles);
 
-    double
-    inflow_value(const unsigned int face, const dealii::Point<dim> &xi) const;
-
     const NodeSpace<dim>            &space;
     const BoundaryNodes<dim>        &boundary;
-    const InflowLevelSet<dim>        inflow_level_set;
+    const Inflow<dim>                inflow;
     const StreamlineConvection<dim> &convection;
     const unsigned int               particles_per_direction;
 

@@ -69,6 +69,17 @@ namespace Thalweg
           }
       return xi;
     }
+
+    /// What goes out of a face of both fluids, as their particles @p n stand
+    /// before it.
+    FluidVolumes
+    share_outflow(const double outflow, const std::array<unsigned int, 2> &n)
+    {
+      // Where nothing stands nothing but the second fluid can be missing.
+      const unsigned int sum  = n[0] + n[1];
+      const double       part = sum == 0 ? 0. : static_cast<double>(n[0]) / sum;
+      return {{part * outflow, (1. - part) * outflow}};
+    }
   } // namespace
 
 
@@ -90,50 +101,37 @@ namespace Thalweg
 
   template <int dim>
   void
-  BoundaryExchange<dim>::take(Population<dim>   &population,
-                              const unsigned int face,
-                              FluidVolumes      &out)
+  BoundaryExchange<dim>::settle(Population<dim>   &population,
+                                const unsigned int face,
+                                const Departure   &departure,
+                                FluidVolumes      &out)
   {
-    double &owed = accounts[face].owed;
-    for (auto particle :
-         nearest_first(population, boundary.passable_faces()[face]))
-      {
-        auto         properties = particle->get_properties();
-        double      &volume     = properties[Population<dim>::volume_offset];
-        const double taken      = std::min(volume, owed);
-        volume -= taken;
-        owed -= taken;
-        out[Population<dim>::fluid_of(properties)] += taken;
-        if (owed <= 0)
-          return;
-      }
-  }
-
-
-  template <int dim>
-  void
-  BoundaryExchange<dim>::give_back(Population<dim>    &population,
-                                   const unsigned int  face,
-                                   const FluidVolumes &left,
-                                   FluidVolumes       &out)
-  {
-    const double all    = left[0] + left[1];
-    const double excess = std::min(-accounts[face].owed, all);
-    if (!(excess > 0))
+    FluidVolumes &owed = accounts[face].owed;
+    if (owed == FluidVolumes())
       return;
-    std::array<bool, 2> is_done = {{left[0] <= 0, left[1] <= 0}};
+    std::array<bool, 2> is_there{};
     for (auto particle :
          nearest_first(population, boundary.passable_faces()[face]))
       {
         auto               properties = particle->get_properties();
-        const unsigned int fluid      = Population<dim>::fluid_of(properties);
-        if (is_done[fluid])
-          continue;
-        const double given = excess * left[fluid] / all;
-        properties[Population<dim>::volume_offset] += given;
-        accounts[face].owed += given;
-        out[fluid] -= given;
-        is_done[fluid] = true;
+        const unsigned int f          = Population<dim>::fluid_of(properties);
+        double            &volume = properties[Population<dim>::volume_offset];
+        is_there[f]               = true;
+        // Back comes no more than has just left.
+        const double taken = owed[f] > 0
+                               ? std::min(volume, owed[f])
+                               : std::max(owed[f], -departure.volumes[f]);
+        volume -= taken;
+        owed[f] -= taken;
+        out[f] += taken;
+      }
+    // What is wrong with the first fluid's part, when there is none of it, is
+    // the other's. Not so the other way around: water that is sprayed through
+    // air, and air in water, take each other's place, so that air can lack.
+    if (!is_there[0])
+      {
+        owed[1] += owed[0];
+        owed[0] = 0;
       }
   }
 
@@ -145,13 +143,18 @@ namespace Thalweg
                                  const ConvectionReport      &report,
                                  VolumeBooks                 &counted)
   {
-    std::vector<FluidVolumes> left(fluxes.size());
+    std::vector<Departure> departures(fluxes.size());
     for (const Exit &exit : report.exits)
-      left[accounts.index(exit.cell, exit.face)][exit.fluid] += exit.volume;
+      {
+        auto &departure = departures[accounts.index(exit.cell, exit.face)];
+        departure.volumes[exit.fluid] += exit.volume;
+        ++departure.numbers[exit.fluid];
+      }
     for (unsigned int i = 0; i < fluxes.size(); ++i)
       {
-        auto &out     = counted.boundaries[boundary.passable_faces()[i].id].out;
-        auto &account = accounts[i];
+        const auto  &face    = boundary.passable_faces()[i];
+        auto        &out     = counted.boundaries[face.id].out;
+        FaceAccount &account = accounts[i];
         const double waiting = account.waiting[0] + account.waiting[1];
         // What has just come in is the first to go.
         const double returned = std::min(fluxes[i].out, waiting);
@@ -161,13 +164,17 @@ namespace Thalweg
             account.waiting[f] -= part;
             out[f] += part;
           }
-        account.owed += fluxes[i].out - returned - left[i][0] - left[i][1];
+        auto n = departures[i].numbers;
+        for (const auto &particle : population.handler().particles_in_cell(
+               population.mesh().graph().iterator(face.cell)))
+          ++n[Population<dim>::fluid_of(particle.get_properties())];
+        const auto shares = share_outflow(fluxes[i].out - returned, n);
         for (unsigned int f = 0; f < 2; ++f)
-          out[f] += left[i][f];
-        if (account.owed > 0)
-          take(population, i, out);
-        else if (account.owed < 0)
-          give_back(population, i, left[i], out);
+          {
+            account.owed[f] += shares[f] - departures[i].volumes[f];
+            out[f] += departures[i].volumes[f];
+          }
+        settle(population, i, departures[i], out);
       }
   }
 
@@ -265,7 +272,7 @@ namespace Thalweg
         for (const Exit &exit : on_way.exits)
           {
             const unsigned int i = accounts.index(exit.cell, exit.face);
-            accounts[i].owed -= exit.volume;
+            accounts[i].owed[exit.fluid] -= exit.volume;
             counted.boundaries[faces[i].id].out[exit.fluid] += exit.volume;
           }
         for (unsigned int f = 0; f < 2; ++f)
@@ -273,7 +280,8 @@ namespace Thalweg
         n_new = on_way.n_moved - on_way.exits.size() - on_way.n_lost;
       }
     for (unsigned int i = 0; i < faces.size(); ++i)
-      counted.owed += accounts[i].owed;
+      for (unsigned int f = 0; f < 2; ++f)
+        counted.owed[f] += accounts[i].owed[f];
     volume_books.add(counted, communicator);
     return n_new;
   }

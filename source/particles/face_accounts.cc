@@ -14,8 +14,10 @@ namespace Thalweg
     add(FaceAccount &sum, const FaceAccount &account, const double share)
     {
       for (unsigned int f = 0; f < 2; ++f)
-        sum.waiting[f] += share * account.waiting[f];
-      sum.owed += share * account.owed;
+        {
+          sum.waiting[f] += share * account.waiting[f];
+          sum.owed[f] += share * account.owed[f];
+        }
     }
 
     /// How many levels @p descendant is finer than its @p ancestor.
@@ -57,12 +59,13 @@ namespace Thalweg
         for (unsigned int i = 0; i < accounts.size(); ++i)
           {
             const auto &[waiting, owed] = accounts[i];
-            if (waiting[0] == 0 && waiting[1] == 0 && owed == 0)
+            if (waiting == FluidVolumes() && owed == FluidVolumes())
               continue;
             const auto &face = boundary.passable_faces()[i];
             cells.push_back(graph.iterator(face.cell)->id().to_string());
             faces.push_back(face.face_no);
-            values.insert(values.end(), {waiting[0], waiting[1], owed});
+            values.insert(values.end(),
+                          {waiting[0], waiting[1], owed[0], owed[1]});
           }
         const auto gather = [&](auto &list) {
           const auto of_ranks = MPI::all_gather(communicator, list);
@@ -100,8 +103,9 @@ namespace Thalweg
       }
     for (unsigned int k = 0; k < cells.size(); ++k)
       {
-        const FaceAccount account{{values[3 * k], values[3 * k + 1]},
-                                  values[3 * k + 2]};
+        const auto        value = values.begin() + 4 * k;
+        const FaceAccount account{{{value[0], value[1]}},
+                                  {{value[2], value[3]}}};
         const auto        place = places.find({cells[k], faces[k]});
         if (place != places.end())
           add(accounts[place->second], account, 1.);

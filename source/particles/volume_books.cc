@@ -61,7 +61,10 @@ namespace Thalweg
   void
   VolumeBooks::add(const VolumeBooks &of_rank, const MPI_Comm communicator)
   {
-    std::vector<double> sums{of_rank.lost[0], of_rank.lost[1], of_rank.owed};
+    std::vector<double> sums{of_rank.lost[0],
+                             of_rank.lost[1],
+                             of_rank.owed[0],
+                             of_rank.owed[1]};
     for (const auto &[id, passage] : of_rank.boundaries)
       for (const FluidVolumes &volumes : {passage.in, passage.out})
         sums.insert(sums.end(), volumes.begin(), volumes.end());
@@ -69,7 +72,8 @@ namespace Thalweg
     auto next = sums.begin();
     for (double &volume : lost)
       volume += *next++;
-    owed = *next++;
+    for (double &volume : owed)
+      volume = *next++;
     for (const auto &[id, passage] : of_rank.boundaries)
       for (FluidVolumes *volumes : {&boundaries[id].in, &boundaries[id].out})
         for (double &volume : *volumes)
@@ -80,7 +84,8 @@ namespace Thalweg
   void
   VolumeBooks::keep(const Archive &archive)
   {
-    std::vector<double> values{start[0], start[1], lost[0], lost[1], owed};
+    std::vector<double> values{
+      start[0], start[1], lost[0], lost[1], owed[0], owed[1]};
     std::vector<unsigned int> ids;
     for (const auto &[id, passage] : boundaries)
       {
@@ -91,7 +96,8 @@ namespace Thalweg
     archive.value("boundaries", ids);
     archive.value("volumes", values);
     auto next = values.begin();
-    for (double *value : {&start[0], &start[1], &lost[0], &lost[1], &owed})
+    for (double *value :
+         {&start[0], &start[1], &lost[0], &lost[1], &owed[0], &owed[1]})
       *value = *next++;
     boundaries.clear();
     for (const unsigned int id : ids)

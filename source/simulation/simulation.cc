@@ -40,7 +40,8 @@ namespace Thalweg
       "volume 2 out [m^d]",
       "volume 1 lost [m^d]",
       "volume 2 lost [m^d]",
-      "volume owed [m^d]",
+      "volume 1 owed [m^d]",
+      "volume 2 owed [m^d]",
       "level set shift",
       "velocity time [s]",
       "kinetic energy [J]",
@@ -172,6 +173,7 @@ namespace Thalweg
     const std::string warning = parameters.time.warning(viscous);
     if (!warning.empty())
       context.log.warning(warning);
+    announce_volumes();
   }
 
 
@@ -367,34 +369,6 @@ namespace Thalweg
                "Reduce 'Time/Courant number' or 'Time/Time step', and check "
                "velocities and units in the input.";
     AssertThrow(false, dealii::ExcMessage(message.str()));
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::record_volumes()
-  {
-    if (parameters.fluids.size() == 1)
-      return;
-    auto                  &statistics = context.statistics;
-    const PhaseField<dim> &phase      = parts->phases();
-    const VolumeBooks     &books      = parts->books();
-    const FluidVolumes     carried    = parts->carried_volumes();
-    const FluidVolumes     in = books.in(), out = books.out();
-    statistics.set("target volume 1 [m^d]", books.inside()[0]);
-    statistics.set("correction of volume 1 [m^d]",
-                   phase.volume() - phase.volume_before_shift());
-    statistics.set("debt of volume 1 [m^d]", carried[0] - phase.volume());
-    statistics.set("volume owed [m^d]", books.owed);
-    for (unsigned int f = 0; f < 2; ++f)
-      {
-        const std::string fluid = "volume " + std::to_string(f + 1);
-        statistics.set("carried " + fluid + " [m^d]", carried[f]);
-        statistics.set(fluid + " in [m^d]", in[f]);
-        statistics.set(fluid + " out [m^d]", out[f]);
-        statistics.set(fluid + " lost [m^d]", books.lost[f]);
-      }
   }
 
 

@@ -20,7 +20,8 @@ namespace Thalweg
    * flows out is taken from the particles in the order in which they come to
    * the face, before they cross it; what one of them takes out beyond that is
    * given back to those behind it. So the volume inside follows the flux to
-   * round-off in each step.
+   * round-off in each step. Where both fluids go out, each does in proportion
+   * to its particles; what the particles before a face lack stays owed there.
    *
    * Where the velocity is given, the flux is that of the given function.
    * Those of open boundaries are scaled so that all fluxes together vanish.
@@ -79,22 +80,25 @@ namespace Thalweg
     keep(const Archive &archive);
 
   private:
+    /// The particles that left through a face in a step.
+    struct Departure
+    {
+      FluidVolumes                volumes{}; ///< m^dim
+      std::array<unsigned int, 2> numbers{};
+    };
+
     void
     let_out(Population<dim>             &population,
             const std::vector<FaceFlux> &fluxes,
             const ConvectionReport      &report,
             VolumeBooks                 &counted);
 
+    /// Settles with the particles before a face what is owed there.
     void
-    take(Population<dim>   &population,
-         const unsigned int face,
-         FluidVolumes      &out);
-
-    void
-    give_back(Population<dim>    &population,
-              const unsigned int  face,
-              const FluidVolumes &left,
-              FluidVolumes       &out);
+    settle(Population<dim>   &population,
+           const unsigned int face,
+           const Departure   &departure,
+           FluidVolumes      &out);
 
     /// Makes particles of what waits at a face, a row as it comes in.
     /// @param passed what of it came in during the step, m^dim

@@ -19,7 +19,7 @@ namespace Thalweg
     FluidVolumes waiting{};
     /// Has gone out, but was not yet taken from particles; negative if they
     /// took more with them. In m^dim.
-    double owed = 0;
+    FluidVolumes owed{};
   };
 
   /**

@@ -41,7 +41,7 @@ namespace Thalweg
     std::map<dealii::types::boundary_id, Passage> boundaries;
     /// What has left according to the velocity, but is still carried by
     /// particles inside (positive), or the other way around.
-    double owed = 0;
+    FluidVolumes owed{};
 
     /// What came in through all boundaries.
     FluidVolumes

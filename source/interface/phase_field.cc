@@ -16,9 +16,11 @@ namespace Thalweg
     section.add("Hold volume",
                 hold_volume,
                 "",
-                "Shift the level set by one constant a step so that the first "
-                "fluid has its initial volume, plus what came in through the "
-                "boundaries. The statistics show the volume before and after.");
+                "Shift the level set so that each connected body of the first "
+                "fluid, and each pocket of the second that has no way out, has "
+                "the volume that its particles carry; by no more than half of "
+                "the shortest edge. The statistics show the volume before and "
+                "after, and what is left on the particles.");
     section.add("Redistance",
                 redistance,
                 "",
@@ -51,8 +53,11 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       domain_volume += graph.cell(c).measure;
-    domain_volume = dealii::Utilities::MPI::sum(
-      domain_volume, space.mesh().triangulation().get_communicator());
+    const MPI_Comm communicator =
+      space.mesh().triangulation().get_communicator();
+    domain_volume = dealii::Utilities::MPI::sum(domain_volume, communicator);
+    shortest_edge =
+      dealii::Utilities::MPI::min(graph.minimal_extent(), communicator);
   }
 
 
@@ -148,21 +153,61 @@ namespace Thalweg
     phi.copy_locally_owned_data_from(level_set);
     space.interpolate(phi, 1);
     last_shift       = 0;
+    debts            = {};
     unshifted_volume = shifted_volume = domain_volume;
     if (fluids.size() == 2)
       {
-        const CellField<dim, 1> values = make_distance();
+        CellField<dim, 1> values = make_distance();
         if (hold_volume && parameters.hold_volume)
-          last_shift = find_shift(values);
-        if (last_shift != 0.)
-          {
-            phi.zero_out_ghost_values();
-            phi.add(last_shift);
-            space.interpolate(phi, 1);
-          }
-        shifted_volume = volume_with_shift(values, last_shift);
+          correct(values);
+        shifted_volume = volume_with_shift(values, 0.);
       }
     build_cells();
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::carry(
+    std::function<typename VolumeCorrection<dim>::Carried()> volumes,
+    const BoundaryNodes<dim>                                &boundary)
+  {
+    carried    = std::move(volumes);
+    correction = std::make_unique<VolumeCorrection<dim>>(space, boundary);
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::correct(CellField<dim, 1> &values)
+  {
+    if (correction)
+      shift_bodies();
+    else
+      {
+        last_shift = find_shift(values);
+        if (last_shift == 0.)
+          return;
+        phi.zero_out_ghost_values();
+        phi.add(last_shift);
+        space.interpolate(phi, 1);
+      }
+    space.copy_to_cells(phi, values);
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::shift_bodies()
+  {
+    const double length =
+      parameters.redistance ? shortest_edge : phi.linfty_norm();
+    correction->apply(phi, carried(), .5 * length);
+    last_shift = correction->shift();
+    debts      = correction->debt();
   }
 
 
@@ -224,35 +269,6 @@ namespace Thalweg
                                 level_set.absolute,
                                 fluids,
                                 parameters.enrichment != "none"));
-  }
-
-
-
-  template <int dim>
-  double
-  PhaseField<dim>::outflow(const Vector             &velocity,
-                           const BoundaryNodes<dim> &boundary) const
-  {
-    double flux = 0;
-    for (const auto &face : boundary.passable_faces())
-      for (unsigned int q = 0; q < face.reference_points.size(); ++q)
-        {
-          const auto shape  = Q1::values<dim>(face.reference_points[q]);
-          double     value  = 0;
-          double     normal = 0;
-          for (unsigned int v = 0; v < shape.size(); ++v)
-            {
-              const unsigned int node = space.nodes(face.cell)[v];
-              value += shape[v] * phi.local_element(node);
-              for (unsigned int d = 0; d < dim; ++d)
-                normal += shape[v] * velocity.local_element(dim * node + d) *
-                          face.normals_times_weight[q][d];
-            }
-          if (fluids.size() == 1 || value < 0)
-            flux += normal;
-        }
-    return dealii::Utilities::MPI::sum(
-      flux, space.mesh().triangulation().get_communicator());
   }
 
 

@@ -64,7 +64,7 @@ namespace Thalweg
                               parts->fluids,
                               projected_velocity,
                               level_set);
-    parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
+    parts->phase.rebuild(level_set);
     set_velocity(0.);
   }
 
@@ -130,10 +130,12 @@ namespace Thalweg
     }
     {
       dealii::TimerOutput::Scope scope(timers, "population");
-      n_added   = parts->control.fill_empty_cells(parts->population,
-                                                cell_velocity,
-                                                cell_level_set,
-                                                dt);
+      n_added = pass_boundaries(
+        *parts, report, convecting_velocity, cell_velocity, time + .5 * dt, dt);
+      n_added += parts->control.fill_empty_cells(parts->population,
+                                                 cell_velocity,
+                                                 cell_level_set,
+                                                 dt);
       n_removed = parts->control.limit(parts->population);
     }
     {
@@ -146,8 +148,6 @@ namespace Thalweg
     }
     {
       dealii::TimerOutput::Scope scope(timers, "interface");
-      parts->phase.target_volume -=
-        dt * parts->phase.outflow(convecting_velocity, parts->boundary);
       parts->phase.rebuild(level_set);
     }
     record_particles(*parts, report, n_added, n_removed);

@@ -83,6 +83,24 @@ namespace Thalweg
 
 
   template <int dim>
+  unsigned int
+  pass_boundaries(const Parts<dim>        &parts,
+                  const ConvectionReport  &report,
+                  const Vector            &velocity,
+                  const CellVelocity<dim> &cell_velocity,
+                  const double             middle,
+                  const double             dt)
+  {
+    if (parts.fluids.size() == 1)
+      return 0;
+    parts.conditions.set_time(middle);
+    return parts.exchange.pass(
+      parts.population, report, velocity, cell_velocity, dt);
+  }
+
+
+
+  template <int dim>
   void
   record_particles(const Parts<dim>       &parts,
                    const ConvectionReport &local_report,
@@ -117,6 +135,20 @@ namespace Thalweg
                       const LagrangeSpace<3> &,
                       const Vector &,
                       const Vector &);
+  template unsigned int
+  pass_boundaries(const Parts<2> &,
+                  const ConvectionReport &,
+                  const Vector &,
+                  const CellVelocity<2> &,
+                  const double,
+                  const double);
+  template unsigned int
+  pass_boundaries(const Parts<3> &,
+                  const ConvectionReport &,
+                  const Vector &,
+                  const CellVelocity<3> &,
+                  const double,
+                  const double);
   template void
   record_particles<2>(const Parts<2> &,
                       const ConvectionReport &,

@@ -51,7 +51,7 @@ namespace Thalweg
     convecting_velocity.update_ghost_values();
     velocity_star.update_ghost_values();
     project_particles();
-    parts->phase.rebuild(level_set, parts->phase.target_volume > 0);
+    parts->phase.rebuild(level_set);
     Vector &v = parts->flow.velocity();
     v.copy_locally_owned_data_from(initial_velocity);
     parts->space.interpolate(v, dim);
@@ -268,7 +268,8 @@ namespace Thalweg
            projection,
            phase,
            flow,
-           paths] = *parts;
+           paths,
+           exchange] = *parts;
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
@@ -281,7 +282,9 @@ namespace Thalweg
     }
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
-      n_added =
+      n_added = pass_boundaries(
+        *parts, report, convecting_velocity, cell_velocity, time + .5 * dt, dt);
+      n_added +=
         control.fill_empty_cells(population, cell_velocity, cell_level_set, dt);
     }
     {
@@ -290,7 +293,6 @@ namespace Thalweg
     }
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
-      phase.target_volume -= dt * phase.outflow(convecting_velocity, boundary);
       phase.rebuild(level_set);
     }
     const double end = end_of_acceleration(time + dt, dt);

@@ -81,13 +81,21 @@ namespace Thalweg
       for (const auto &[walker, particle] : travellers)
         if (walker.fate == Fate::left)
           {
-            const double level_set =
-              particle.properties[Population<dim>::level_set_offset];
-            ++report.left[walker.boundary][level_set < 0 ? 0 : 1];
+            const unsigned int fluid =
+              Population<dim>::fluid_of(particle.properties);
+            ++report.left[walker.boundary][fluid];
+            report.exits.push_back(
+              {walker.cell,
+               walker.face,
+               fluid,
+               particle.properties[Population<dim>::volume_offset]});
           }
         else if (walker.fate == Fate::lost)
           {
             ++report.n_lost;
+            report
+              .lost_volume[Population<dim>::fluid_of(particle.properties)] +=
+              particle.properties[Population<dim>::volume_offset];
             if (particle.id < report.first_lost.id)
               report.first_lost = {particle.id,
                                    centre<dim>(graph.cell(walker.cell))};
@@ -224,6 +232,60 @@ namespace Thalweg
     return report;
   }
 
+
+  template <int dim>
+  ConvectionReport
+  insert_along(Population<dim>                     &population,
+               const StreamlineWalk<dim>           &walk,
+               const std::vector<NewParticle<dim>> &particles)
+  {
+    using Field = SteadyField<dim>;
+    const MPI_Comm communicator =
+      population.mesh().triangulation().get_communicator();
+    ConvectionReport report;
+    if (dealii::Utilities::MPI::max(particles.size(), communicator) == 0)
+      return report;
+
+    WalkEffort                                 effort;
+    std::vector<ParticleTraveller<dim, Field>> travellers;
+    for (const NewParticle<dim> &particle : particles)
+      {
+        // A number is given where the way ends.
+        travellers.push_back(
+          {Walker<dim>::start(particle.cell, particle.reference, particle.time),
+           {0, particle.properties}});
+        walk.walk(travellers.back().walker, effort);
+      }
+    walk_on_other_ranks(walk, communicator, travellers, effort);
+    for (auto &traveller : travellers)
+      {
+        traveller.luggage.id = population.next_id();
+        if (traveller.walker.fate != Fate::arrived)
+          continue;
+        const auto record = record_of<dim, Field>(walk, traveller);
+        population.handler().insert_particle(
+          record.position,
+          record.reference,
+          record.id,
+          walk.graph().iterator(traveller.walker.cell),
+          dealii::ArrayView<const double>(record.properties.data(),
+                                          record.properties.size()));
+      }
+    population.handler().update_cached_numbers();
+    report.n_moved = travellers.size();
+    count_missing<dim>(walk.graph(), travellers, report);
+    return report;
+  }
+
+
+  template ConvectionReport
+  insert_along(Population<2> &,
+               const StreamlineWalk<2> &,
+               const std::vector<NewParticle<2>> &);
+  template ConvectionReport
+  insert_along(Population<3> &,
+               const StreamlineWalk<3> &,
+               const std::vector<NewParticle<3>> &);
 
 #define INSTANTIATE(dim, Field)                     \
   template ConvectionReport move_along<dim, Field>( \

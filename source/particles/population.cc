@@ -71,6 +71,23 @@ namespace Thalweg
 
 
   template <int dim>
+  std::vector<std::array<double, 2>>
+  Population<dim>::volumes_of_cells() const
+  {
+    const auto                        &graph = mesh_.graph();
+    std::vector<std::array<double, 2>> volumes(graph.n_owned_cells());
+    for (unsigned int c = 0; c < volumes.size(); ++c)
+      for (const auto &particle :
+           particle_handler.particles_in_cell(graph.iterator(c)))
+        {
+          const auto properties = particle.get_properties();
+          volumes[c][fluid_of(properties)] += properties[volume_offset];
+        }
+    return volumes;
+  }
+
+
+  template <int dim>
   dealii::types::particle_index
   Population<dim>::n_global_particles() const
   {

@@ -15,21 +15,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// A total order of points that does not see round-off.
-    template <int dim>
-    bool
-    stands_before(const dealii::Point<dim> &a, const dealii::Point<dim> &b)
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const long i = std::lround(a[d] / reference_round_off);
-          const long j = std::lround(b[d] / reference_round_off);
-          if (i != j)
-            return i < j;
-        }
-      return false;
-    }
-
     template <int dim>
     dealii::Point<dim>
     sub_cell_center(const unsigned int index)
@@ -73,6 +58,49 @@ namespace Thalweg
       return holes;
     }
 
+    /// Lets the particles of @p fluid in a cell carry equal parts of what
+    /// they carry together.
+    template <int dim>
+    void
+    share_volume(Population<dim>   &population,
+                 const unsigned int cell,
+                 const unsigned int fluid)
+    {
+      const auto  &where = population.mesh().graph().iterator(cell);
+      double       sum   = 0;
+      unsigned int n     = 0;
+      for (const auto &particle : population.handler().particles_in_cell(where))
+        if (const auto properties = particle.get_properties();
+            Population<dim>::fluid_of(properties) == fluid)
+          {
+            sum += properties[Population<dim>::volume_offset];
+            ++n;
+          }
+      for (auto &particle : population.handler().particles_in_cell(where))
+        if (auto properties = particle.get_properties();
+            Population<dim>::fluid_of(properties) == fluid)
+          properties[Population<dim>::volume_offset] = sum / n;
+    }
+
+    /// Gives what one particle carries to another one, with its momentum.
+    /// Place and level set stay: a plane remains a plane.
+    template <int dim>
+    void
+    merge(typename Population<dim>::Iterator from,
+          typename Population<dim>::Iterator into)
+    {
+      constexpr unsigned int velocity = Population<dim>::velocity_offset;
+      const auto             given    = from->get_properties();
+      auto                   kept     = into->get_properties();
+      const double           added    = given[Population<dim>::volume_offset];
+      double                &sum      = kept[Population<dim>::volume_offset];
+      sum += added;
+      if (sum > 0)
+        for (unsigned int d = 0; d < dim; ++d)
+          kept[velocity + d] +=
+            added / sum * (given[velocity + d] - kept[velocity + d]);
+    }
+
     /// The particles of one fluid in one cell.
     template <int dim>
     struct Group
@@ -97,22 +125,25 @@ namespace Thalweg
         is_removed.push_back(false);
       }
 
-      /// Of the two that are nearest to each other marks the one with the
-      /// higher id, the newer one.
+      /// Of the two that are nearest to each other marks one, and gives the
+      /// other what it carries if @p carry says so.
       void
-      remove_one()
+      remove_one(const bool carry)
       {
         double       nearest = std::numeric_limits<double>::max();
-        unsigned int removed = 0;
-        const auto   choose  = [&](const unsigned int i, const unsigned int j) {
+        unsigned int removed = 0, kept = 0;
+        const auto   choose = [&](const unsigned int i, const unsigned int j) {
           const double distance = points[i].distance(points[j]);
           if (distance > nearest + reference_round_off)
             return;
-          const unsigned int later =
-            stands_before(points[i], points[j]) ? j : i;
+          const bool         is_first = stands_before(points[i], points[j]);
+          const unsigned int later    = is_first ? j : i;
           if (distance < nearest - reference_round_off ||
               stands_before(points[removed], points[later]))
-            removed = later;
+            {
+              removed = later;
+              kept    = is_first ? i : j;
+            }
           nearest = std::min(nearest, distance);
         };
         for (unsigned int i = 0; i < points.size(); ++i)
@@ -120,6 +151,8 @@ namespace Thalweg
             if (!is_removed[i] && !is_removed[j])
               choose(i, j);
         is_removed[removed] = true;
+        if (carry && kept != removed)
+          merge<dim>(particles[removed], particles[kept]);
       }
     };
 
@@ -178,9 +211,9 @@ namespace Thalweg
 
   template <int dim>
   PopulationControl<dim>::PopulationControl(
-    const PopulationParameters<dim>                    &parameters,
-    const StreamlineConvection<dim>                    &convection,
-    const std::map<dealii::types::boundary_id, double> &inflow_level_set)
+    const PopulationParameters<dim> &parameters,
+    const StreamlineConvection<dim> &convection,
+    const InflowLevelSet<dim>       &inflow_level_set)
     : parameters(parameters)
     , convection(&convection)
     , inflow_level_set(inflow_level_set)
@@ -191,8 +224,8 @@ namespace Thalweg
 
   template <int dim>
   PopulationControl<dim>::PopulationControl(
-    const PopulationParameters<dim>                    &parameters,
-    const std::map<dealii::types::boundary_id, double> &inflow_level_set)
+    const PopulationParameters<dim> &parameters,
+    const InflowLevelSet<dim>       &inflow_level_set)
     : parameters(parameters)
     , convection(nullptr)
     , inflow_level_set(inflow_level_set)
@@ -205,13 +238,15 @@ namespace Thalweg
   double
   PopulationControl<dim>::level_set_value(const Foot<dim> &foot) const
   {
-    const auto   inflow = inflow_level_set.find(foot.boundary);
+    const auto inflow = inflow_level_set.find(foot.boundary);
     // Where the same fluid is inside already the distance goes on.
-    const double value =
-      inflow == inflow_level_set.end() ||
-          (foot.level_set < 0) == (inflow->second < 0)
-        ? foot.level_set
-        : inflow->second;
+    double value = foot.level_set;
+    if (inflow != inflow_level_set.end())
+      {
+        const double outside = inflow->second(foot.position);
+        if ((outside < 0) != (value < 0))
+          value = outside;
+      }
     if (!parameters.level_set_is_sign)
       return value;
     return value < 0 ? -1. : 1.;
@@ -260,6 +295,7 @@ namespace Thalweg
                   properties.begin() + Population<dim>::velocity_offset);
         properties[Population<dim>::level_set_offset] =
           level_set_value(feet[i]);
+        properties[Population<dim>::volume_offset] = 0.;
         handler.insert_particle(
           mesh.mapping().transform_unit_to_real_cell(cell, reference),
           reference,
@@ -267,6 +303,10 @@ namespace Thalweg
           cell,
           dealii::ArrayView<const double>(properties.data(),
                                           properties.size()));
+        if (parameters.carry_volume)
+          share_volume(population,
+                       holes.cells[i],
+                       Population<dim>::fluid_of(properties));
       }
     // Counting is collective and visits all cells.
     const MPI_Comm communicator = mesh.triangulation().get_communicator();
@@ -296,11 +336,8 @@ namespace Thalweg
         const auto particles = handler.particles_in_cell(cell);
         for (auto particle = particles.begin(); particle != particles.end();
              ++particle)
-          groups[particle->get_properties()[Population<dim>::level_set_offset] <
-                     0
-                   ? 0
-                   : 1]
-            .add(particle);
+          groups[Population<dim>::fluid_of(particle->get_properties())].add(
+            particle);
 
         const unsigned int n =
           groups[0].particles.size() + groups[1].particles.size();
@@ -311,7 +348,7 @@ namespace Thalweg
           {
             for (unsigned int k = groups[g].particles.size(); k > n_kept[g];
                  --k)
-              groups[g].remove_one();
+              groups[g].remove_one(parameters.carry_volume);
             for (unsigned int p = 0; p < groups[g].particles.size(); ++p)
               if (groups[g].is_removed[p])
                 to_remove.push_back(groups[g].particles[p]);

@@ -1,3 +1,5 @@
+#include <thalweg/fields/q1_cell.h>
+#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/seeding.h>
 
 #include <deal.II/base/exceptions.h>
@@ -5,8 +7,11 @@
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace Thalweg
 {
@@ -61,6 +66,143 @@ namespace Thalweg
         }
       return reference;
     }
+
+    /// A place in the part of a cell where the level set has the sign of
+    /// @p fluid: the centre of that part if it is one, else the point that is
+    /// deepest in it.
+    template <int dim>
+    dealii::Point<dim>
+    place_of_fluid(const typename CellGraph<dim>::Cell &cell,
+                   const dealii::Function<dim>         &level_set,
+                   const unsigned int                   fluid)
+    {
+      constexpr unsigned int n    = 11;
+      const double           sign = fluid == 0 ? -1. : 1.;
+      dealii::Point<dim>     center, deepest;
+      unsigned int           n_inside = 0;
+      double                 depth    = std::numeric_limits<double>::lowest();
+      for (unsigned int i = 0; i < dealii::Utilities::pow(n, dim); ++i)
+        {
+          dealii::Point<dim> xi;
+          for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+            xi[d] = static_cast<double>(rest % n) / (n - 1);
+          const double value =
+            sign * level_set.value(Q1::position<dim>(cell.vertices, xi));
+          if (value > depth)
+            {
+              depth   = value;
+              deepest = xi;
+            }
+          if (value > 0)
+            {
+              center += dealii::Tensor<1, dim>(xi);
+              ++n_inside;
+            }
+        }
+      if (n_inside == 0)
+        return deepest;
+      center /= n_inside;
+      return sign * level_set.value(Q1::position<dim>(cell.vertices, center)) >
+                 0
+               ? center
+               : deepest;
+    }
+
+    /// Lets the particles of each fluid in a cell carry equal parts of the
+    /// fluid's volume.
+    template <int dim>
+    void
+    share_volumes(std::vector<ParticleRecord<dim>> &particles,
+                  const std::array<double, 2>      &volumes)
+    {
+      std::array<unsigned int, 2> n{};
+      for (const auto &particle : particles)
+        ++n[Population<dim>::fluid_of(particle.properties)];
+      for (auto &particle : particles)
+        {
+          const unsigned int fluid =
+            Population<dim>::fluid_of(particle.properties);
+          particle.properties[Population<dim>::volume_offset] =
+            volumes[fluid] / n[fluid];
+        }
+    }
+
+    /// Makes the particles of one cell.
+    template <int dim>
+    class CellSeeds
+    {
+    public:
+      CellSeeds(const Mesh<dim>             &mesh,
+                const dealii::Function<dim> &velocity,
+                const dealii::Function<dim> &level_set)
+        : mesh(mesh)
+        , velocity(velocity)
+        , level_set(level_set)
+        , value(dim)
+      {}
+
+      void
+      add(const unsigned int                  cell,
+          const dealii::types::particle_index id,
+          const dealii::Point<dim>           &reference)
+      {
+        ParticleRecord<dim> particle;
+        particle.id        = id;
+        particle.reference = reference;
+        particle.position  = mesh.mapping().transform_unit_to_real_cell(
+          mesh.graph().iterator(cell), reference);
+        velocity.vector_value(particle.position, value);
+        for (unsigned int d = 0; d < dim; ++d)
+          particle.properties[Population<dim>::velocity_offset + d] = value[d];
+        particle.properties[Population<dim>::level_set_offset] =
+          level_set.value(particle.position);
+        particle.properties[Population<dim>::volume_offset] = 0.;
+        particles.push_back(particle);
+      }
+
+      /// Particles get the cell's volumes of both fluids, where needed one
+      /// more for each fluid, with ids from @p first_id on.
+      void
+      carry(const unsigned int                  cell,
+            const double                        negative_volume,
+            const dealii::types::particle_index first_id)
+      {
+        const auto           &geometry   = mesh.graph().cell(cell);
+        std::array<double, 2> volumes    = {negative_volume,
+                                            geometry.measure - negative_volume};
+        const double          negligible = 1e-12 * geometry.measure;
+        for (unsigned int fluid = 0; fluid < 2; ++fluid)
+          if (volumes[fluid] <= negligible)
+            {
+              volumes[1 - fluid] += volumes[fluid];
+              volumes[fluid] = 0.;
+            }
+          else if (std::none_of(particles.begin(),
+                                particles.end(),
+                                [&](const auto &particle) {
+                                  return Population<dim>::fluid_of(
+                                           particle.properties) == fluid;
+                                }))
+            {
+              add(cell,
+                  first_id + fluid,
+                  place_of_fluid<dim>(geometry, level_set, fluid));
+              // The cut may see a part that the function just touches.
+              auto &phi =
+                particles.back().properties[Population<dim>::level_set_offset];
+              if (Population<dim>::fluid_of(particles.back().properties) !=
+                  fluid)
+                phi = fluid == 0 ? -std::numeric_limits<double>::min() : 0.;
+            }
+        share_volumes<dim>(particles, volumes);
+      }
+
+      const Mesh<dim>                 &mesh;
+      const dealii::Function<dim>     &velocity;
+      const dealii::Function<dim>     &level_set;
+      dealii::Vector<double>           value;
+      std::vector<ParticleRecord<dim>> particles;
+    };
   } // namespace
 
 
@@ -90,7 +232,9 @@ namespace Thalweg
   seed(Population<dim>             &population,
        const SeedingParameters     &parameters,
        const dealii::Function<dim> &velocity,
-       const dealii::Function<dim> &level_set)
+       const dealii::Function<dim> &level_set,
+       const std::function<double(const typename CellGraph<dim>::Cell &)>
+         &negative_volume)
   {
     AssertThrow(velocity.n_components == dim && level_set.n_components == 1,
                 dealii::ExcMessage(
@@ -99,11 +243,12 @@ namespace Thalweg
     const auto         &mesh       = population.mesh();
     const unsigned int  n          = parameters.particles_per_direction;
     const unsigned int  n_per_cell = dealii::Utilities::pow(n, dim);
-    const std::uint64_t n_ids =
-      std::uint64_t(mesh.triangulation().n_global_active_cells()) * n_per_cell;
+    const std::uint64_t n_cells = mesh.triangulation().n_global_active_cells();
+    // One more for each fluid, where it needs it.
+    const std::uint64_t n_ids = n_cells * (n_per_cell + 2);
     AssertThrow(
       n_ids < std::numeric_limits<dealii::types::particle_index>::max(),
-      dealii::ExcMessage("These are " + std::to_string(n_ids) +
+      dealii::ExcMessage("These are " + std::to_string(n_cells * n_per_cell) +
                          " particles, more than this deal.II has numbers "
                          "for. Ask for fewer 'Particles per direction' or a "
                          "coarser mesh, or use a deal.II with 64-bit "
@@ -111,32 +256,25 @@ namespace Thalweg
 
     auto &handler = population.handler();
     handler.reserve(std::size_t(mesh.graph().n_owned_cells()) * n_per_cell);
-    dealii::Vector<double>                            value(dim);
-    std::array<double, Population<dim>::n_properties> properties;
+    CellSeeds<dim> seeds(mesh, velocity, level_set);
     for (unsigned int i = 0; i < mesh.graph().n_owned_cells(); ++i)
       {
-        const auto         &cell = mesh.graph().iterator(i);
+        const auto          number = mesh.graph().cell(i).global_index;
         const std::uint64_t cell_hash =
-          parameters.jitter > 0 ? hash<dim>(cell->id()) : 0;
+          parameters.jitter > 0 ? hash<dim>(mesh.graph().iterator(i)->id()) : 0;
+        seeds.particles.clear();
         for (unsigned int k = 0; k < n_per_cell; ++k)
-          {
-            const auto reference =
-              place<dim>(k, n, parameters.jitter, cell_hash);
-            const auto position =
-              mesh.mapping().transform_unit_to_real_cell(cell, reference);
-            velocity.vector_value(position, value);
-            for (unsigned int d = 0; d < dim; ++d)
-              properties[Population<dim>::velocity_offset + d] = value[d];
-            properties[Population<dim>::level_set_offset] =
-              level_set.value(position);
-            handler.insert_particle(
-              position,
-              reference,
-              mesh.graph().cell(i).global_index * n_per_cell + k,
-              cell,
-              dealii::ArrayView<const double>(properties.data(),
-                                              properties.size()));
-          }
+          seeds.add(i,
+                    number * n_per_cell + k,
+                    place<dim>(k, n, parameters.jitter, cell_hash));
+        if (negative_volume)
+          seeds.carry(i,
+                      negative_volume(mesh.graph().cell(i)),
+                      n_cells * n_per_cell + 2 * number);
+        store_in_cell(population,
+                      i,
+                      seeds.particles.size(),
+                      [&](const unsigned int k) { return seeds.particles[k]; });
       }
     handler.update_cached_numbers();
     population.reserve_ids_below(n_ids);
@@ -147,10 +285,12 @@ namespace Thalweg
   seed(Population<2> &,
        const SeedingParameters &,
        const dealii::Function<2> &,
-       const dealii::Function<2> &);
+       const dealii::Function<2> &,
+       const std::function<double(const CellGraph<2>::Cell &)> &);
   template void
   seed(Population<3> &,
        const SeedingParameters &,
        const dealii::Function<3> &,
-       const dealii::Function<3> &);
+       const dealii::Function<3> &,
+       const std::function<double(const CellGraph<3>::Cell &)> &);
 } // namespace Thalweg

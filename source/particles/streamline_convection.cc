@@ -78,6 +78,8 @@ namespace Thalweg
           total.first_lost.place[d] =
             MPI::sum(is_own ? own.place[d] : 0., communicator);
       }
+    for (unsigned int i = 0; i < 2; ++i)
+      total.lost_volume[i] = MPI::sum(lost_volume[i], communicator);
     for (const auto &of_rank : MPI::all_gather(communicator, left))
       for (const auto &[boundary, counts] : of_rank)
         for (unsigned int i = 0; i < 2; ++i)
@@ -106,6 +108,20 @@ namespace Thalweg
     const StreamlineWalk<dim> walk(
       graph, SteadyField<dim>(graph, velocity, settings.substep, 1.), settings);
     return move_along(population, walk, dt);
+  }
+
+
+  template <int dim>
+  ConvectionReport
+  StreamlineConvection<dim>::insert(
+    Population<dim>                     &population,
+    const std::vector<NewParticle<dim>> &particles,
+    const CellVelocity<dim>             &velocity) const
+  {
+    const auto               &graph = mesh_.graph();
+    const StreamlineWalk<dim> walk(
+      graph, SteadyField<dim>(graph, velocity, settings.substep, 1.), settings);
+    return insert_along(population, walk, particles);
   }
 
 

@@ -33,6 +33,18 @@ namespace Thalweg
       "volume 1 [m^d]",
       "volume 2 [m^d]",
       "target volume 1 [m^d]",
+      "correction of volume 1 [m^d]",
+      "debt of volume 1 [m^d]",
+      "carried volume 1 [m^d]",
+      "carried volume 2 [m^d]",
+      "volume 1 in [m^d]",
+      "volume 1 out [m^d]",
+      "volume 2 in [m^d]",
+      "volume 2 out [m^d]",
+      "volume 1 lost [m^d]",
+      "volume 2 lost [m^d]",
+      "volume 1 owed [m^d]",
+      "volume 2 owed [m^d]",
       "level set shift",
       "velocity time [s]",
       "kinetic energy [J]",
@@ -169,6 +181,7 @@ namespace Thalweg
       missing = missing_fluid(parts->particles(), parameters.fluids);
     if (!missing.empty())
       context.log.warning(missing);
+    announce_volumes();
   }
 
 
@@ -371,7 +384,7 @@ namespace Thalweg
     statistics.set("volume 1 before shift [m^d]", phase.volume_before_shift());
     statistics.set("volume 1 [m^d]", phase.volume());
     statistics.set("volume 2 [m^d]", phase.total_volume() - phase.volume());
-    statistics.set("target volume 1 [m^d]", phase.target_volume);
+    record_volumes();
     statistics.set("level set shift", phase.shift());
     statistics.set("velocity time [s]", parameters.method->velocity_time(time));
     for (const auto &[name, value] :

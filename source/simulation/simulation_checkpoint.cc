@@ -46,6 +46,7 @@ namespace Thalweg
     values.value("last step size", last_dt);
     values.value("wanted step size", wanted_dt);
     values.value("step", step);
+    watch.keep(values.enter("volume watch"));
     context.statistics.keep(values.enter("statistics"), context.log);
     adaptation->keep(values.enter("adaptation"));
     parts->keep(state.enter("parts"));

@@ -12,7 +12,14 @@ namespace Thalweg
 {
   namespace
   {
-    /// The initial level set as particles carry it: as it is, or its sign.
+    /// A level set as particles carry it: as it is, or its sign.
+    double
+    carried_level_set(const double value, const bool sign_only)
+    {
+      return sign_only ? (value < 0 ? -1. : 1.) : value;
+    }
+
+    /// The initial level set as particles carry it.
     template <int dim>
     class CarriedLevelSet : public dealii::Function<dim>
     {
@@ -27,8 +34,7 @@ namespace Thalweg
       value(const dealii::Point<dim> &x,
             const unsigned int        component = 0) const override
       {
-        const double phi = function.value(x, component);
-        return sign_only ? (phi < 0 ? -1. : 1.) : phi;
+        return carried_level_set(function.value(x, component), sign_only);
       }
 
     private:
@@ -54,6 +60,7 @@ namespace Thalweg
       parameters.particles_carry == "sign";
     if (parameters.particles_carry == "distance")
       parameters.projection->band = parameters.distance_band;
+    parameters.population.carry_volume = parameters.fluids.size() == 2;
   }
 
 
@@ -92,20 +99,51 @@ namespace Thalweg
 
 
   template <int dim>
-  std::map<dealii::types::boundary_id, double>
+  InflowLevelSet<dim>
   SimulationParts<dim>::inflow() const
   {
-    std::map<dealii::types::boundary_id, double> inflow;
+    const bool          sign_only = parameters.particles_carry == "sign";
+    const double        band      = carried_distance;
+    InflowLevelSet<dim> inflow;
     for (const auto &[id, kind] : walls())
       if (kind == WallKind::open)
         {
-          const std::string &fluid = conditions.all().at(id).inflow_fluid;
-          inflow[id] =
-            carried_distance * Fluids::sign(fluid.empty()
-                                              ? parameters.fluids.size() - 1
-                                              : parameters.fluids.index(fluid));
+          const auto &condition = conditions.all().at(id);
+          if (const auto function = condition.inflow_level_set)
+            inflow[id] = [=](const dealii::Point<dim> &x) {
+              return carried_level_set(function->value(x), sign_only);
+            };
+          else
+            {
+              const std::string &fluid = condition.inflow_fluid;
+              const double       value =
+                band * Fluids::sign(fluid.empty()
+                                      ? parameters.fluids.size() - 1
+                                      : parameters.fluids.index(fluid));
+              inflow[id] = [=](const dealii::Point<dim> &) { return value; };
+            }
         }
     return inflow;
+  }
+
+
+
+  template <int dim>
+  std::vector<FluidVolumes>
+  SimulationParts<dim>::volumes_of_cells() const
+  {
+    auto volumes = population.volumes_of_cells();
+    exchange->add_waiting(volumes);
+    return volumes;
+  }
+
+
+
+  template <int dim>
+  FluidVolumes
+  SimulationParts<dim>::carried_volumes() const
+  {
+    return sum_over_ranks(volumes_of_cells(), context.communicator);
   }
 
 
@@ -116,23 +154,29 @@ namespace Thalweg
   {
     if (carried_distance == 0)
       carried_distance = find_carried_distance();
-    const double target_volume = phase ? phase->target_volume : 0.;
-    space                      = std::make_unique<NodeSpace<dim>>(mesh);
+    space    = std::make_unique<NodeSpace<dim>>(mesh);
     boundary = std::make_unique<BoundaryNodes<dim>>(*space, conditions);
     convection =
       std::make_unique<StreamlineConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());
-    paths   = std::make_unique<PathConvection<dim>>(mesh,
+    paths    = std::make_unique<PathConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());
-    control = std::make_unique<PopulationControl<dim>>(parameters.population,
+    control  = std::make_unique<PopulationControl<dim>>(parameters.population,
                                                        *convection,
                                                        inflow());
-    phase   = std::make_unique<PhaseField<dim>>(*space,
+    phase    = std::make_unique<PhaseField<dim>>(*space,
                                               parameters.fluids,
                                               parameters.interface);
-    phase->target_volume = target_volume;
+    exchange = std::make_unique<BoundaryExchange<dim>>(
+      *space,
+      *boundary,
+      inflow(),
+      *convection,
+      parameters.seeding.particles_per_direction);
+    if (parameters.fluids.size() == 2)
+      phase->carry([this]() { return volumes_of_cells(); }, *boundary);
     parameters.fluid_solver->initialize(
       context, *space, *boundary, *phase, parameters.forces);
     parameters.method->attach({context,
@@ -148,7 +192,22 @@ namespace Thalweg
                                *parameters.projection,
                                *phase,
                                *parameters.fluid_solver,
-                               *paths});
+                               *paths,
+                               *exchange});
+  }
+
+
+
+  template <int dim>
+  std::function<double(const typename CellGraph<dim>::Cell &)>
+  SimulationParts<dim>::negative_volume(
+    const dealii::Function<dim> &level_set) const
+  {
+    if (parameters.fluids.size() == 1)
+      return {};
+    return [&level_set](const typename CellGraph<dim>::Cell &cell) {
+      return sampled_negative_volume<dim>(cell, level_set);
+    };
   }
 
 
@@ -180,11 +239,9 @@ namespace Thalweg
     seed(population,
          parameters.seeding,
          *velocity,
-         CarriedLevelSet<dim>(level_set, sign_only));
-    if (parameters.fluids.size() == 2)
-      phase->target_volume = sampled_negative_volume<dim>(mesh.graph(),
-                                                          level_set,
-                                                          context.communicator);
+         CarriedLevelSet<dim>(level_set, sign_only),
+         negative_volume(level_set));
+    exchange->open_books(population);
 
     Vector initial_velocity, initial_level_set;
     space->initialize_velocity(initial_velocity);
@@ -196,8 +253,6 @@ namespace Thalweg
     parameters.method->initialize(*velocity,
                                   initial_velocity,
                                   initial_level_set);
-    if (phase->target_volume == 0)
-      phase->target_volume = phase->volume();
   }
 
 
@@ -235,7 +290,7 @@ namespace Thalweg
   void
   SimulationParts<dim>::keep(const State<dim> &state)
   {
-    state.values().value("target volume", phase->target_volume);
+    exchange->keep(state.values().enter("exchange"));
     population.keep(state.values().enter("particles"));
     parameters.fluid_solver->keep(state.enter("fluid solver"));
     parameters.method->keep(state.enter("method"));

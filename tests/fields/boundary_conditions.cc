@@ -56,6 +56,45 @@ TEST(BoundaryConditions, ReadsKindsFunctionsAndInflowFluids)
 
 
 
+TEST(BoundaryConditions, AFlowRateIsAUniformVelocityNormalToTheBoundary)
+{
+  Scene<2> scene(
+    unit_box<2>(2) +
+    section("Boundary conditions", {"Flow rate = left: 0.3*t | top: -0.2"}));
+  auto       &conditions = *scene.conditions;
+  const auto &left       = conditions.at(scene.mesh.boundary_id("left"));
+  const auto &top        = conditions.at(scene.mesh.boundary_id("top"));
+  conditions.set_time(2.);
+  EXPECT_EQ(left.kind, BoundaryKind::velocity);
+  EXPECT_NEAR(left.function->value({0., .7}, 0), .6, 1e-14);
+  EXPECT_NEAR(left.function->value({0., .7}, 1), 0., 1e-14);
+  EXPECT_NEAR(top.function->value({.4, 1.}, 1), .2, 1e-14);
+}
+
+
+
+TEST(BoundaryConditions, WhatComesInMayBeALevel)
+{
+  Scene<2>    scene(unit_box<2>(2) +
+                 section("Boundary conditions",
+                         {"Velocity = left: 1; 0 | right: -1; 0",
+                             "Open = top: 0 | bottom: 0",
+                             "Inflow fluids = left: max(y-0.5,-t), top: air | "
+                                "right: water | bottom: -1"}));
+  auto       &conditions = *scene.conditions;
+  const auto &left       = conditions.at(scene.mesh.boundary_id("left"));
+  conditions.set_time(.1);
+  ASSERT_TRUE(left.inflow_level_set);
+  EXPECT_NEAR(left.inflow_level_set->value({0., .75}), .25, 1e-14);
+  EXPECT_NEAR(left.inflow_level_set->value({0., .25}), -.1, 1e-14);
+  EXPECT_EQ(conditions.at(scene.mesh.boundary_id("top")).inflow_fluid, "air");
+  EXPECT_EQ(conditions.at(scene.mesh.boundary_id("right")).inflow_fluid,
+            "water");
+  EXPECT_TRUE(conditions.at(scene.mesh.boundary_id("bottom")).inflow_level_set);
+}
+
+
+
 TEST(BoundaryConditions, OtherwiseIsAsItIsSaid)
 {
   Scene<2> slip(unit_box<2>(2));
@@ -91,4 +130,12 @@ TEST(BoundaryConditions, SaysWhatIsWrong)
   expect(complaint({"Inflow fluids = left"}), "'boundary: fluid'");
   expect(complaint({"Inflow fluids = left: water"}),
          "neither open nor has a velocity");
+  expect(complaint({"Open = top: 0", "Inflow fluids = top: y-q"}),
+         "Boundary conditions/Inflow fluids");
+  expect(complaint({"Flow rate = left"}), "no colon");
+  expect(complaint({"Flow rate = left: 1; 0"}),
+         "Boundary conditions/Flow rate");
+  expect(complaint({"Flow rate = left: y"}), "not on x, y or z");
+  expect(complaint({"Flow rate = left: 1", "Slip = left"}),
+         "'left' has two conditions");
 }

@@ -111,25 +111,3 @@ TYPED_TEST(PhaseFieldMpi, OneFluidFillsEverything)
   EXPECT_TRUE(scene.phase->cut_cells().empty());
 }
 
-
-
-TYPED_TEST(PhaseFieldMpi, OutflowIsThatOfTheFirstFluid)
-{
-  constexpr int    dim = TypeParam::value;
-  const Scene<dim> scene(
-    hanging_box<dim>(4) +
-    section("Boundary conditions",
-            {"Open = right: 0",
-             std::string("Velocity = left: 0; 0") + (dim == 3 ? "; 0" : "")}));
-  scene.set_phases([](const auto &p) { return p[1] - .5; });
-  const auto outflow = [&](const double inflow) {
-    const Vector velocity = scene.velocity([&](const auto &p) {
-      dealii::Tensor<1, dim> u;
-      u[0] = p[0] > .5 ? 1. + 2. * p[1] : inflow;
-      return u;
-    });
-    return scene.phase->outflow(velocity, *scene.boundary);
-  };
-  EXPECT_NEAR(outflow(0.), .75, 1e-12);
-  EXPECT_NEAR(outflow(1.5), 0., 1e-12);
-}

@@ -24,7 +24,8 @@ namespace
     const Thalweg::StreamlineConvection<dim> convection(mesh,
                                                         {},
                                                         {{0, WallKind::open}});
-    const Thalweg::PopulationControl<dim> control({}, convection, {{0, -1.}});
+    const Thalweg::PopulationControl<dim>    control(
+      {}, convection, {{0, [](const auto &) { return -1.; }}});
 
     Tensor<1, dim> v;
     v[0]                = 1.;

@@ -4,7 +4,7 @@
 #include <thalweg/core/section.h>
 #include <thalweg/mesh/mesh.h>
 
-#include <deal.II/base/function_parser.h>
+#include <deal.II/base/function.h>
 
 #include <map>
 #include <memory>
@@ -24,7 +24,8 @@ namespace Thalweg
     std::vector<std::string> slip;
     std::string              velocity;
     std::string              open;
-    std::vector<std::string> inflow_fluids;
+    std::string              flow_rate;
+    std::string              inflow_fluids;
     std::string              otherwise = "slip";
   };
 
@@ -50,9 +51,12 @@ namespace Thalweg
       BoundaryKind kind = BoundaryKind::slip;
       /// For BoundaryKind::velocity: dim components, m/s; for
       /// BoundaryKind::open: the pressure, Pa.
-      std::shared_ptr<dealii::FunctionParser<dim>> function;
-      /// The name of the fluid that comes in, empty for the second one.
+      std::shared_ptr<dealii::Function<dim>> function;
+      /// The name of the fluid that comes in; empty for the second one, or if
+      /// there is an inflow_level_set.
       std::string inflow_fluid;
+      /// Where which fluid comes in: the first where it is negative.
+      std::shared_ptr<dealii::Function<dim>> inflow_level_set;
       /// Whether the function depends on the time.
       bool is_transient = false;
     };
@@ -90,6 +94,16 @@ namespace Thalweg
   private:
     void
     set(const Mesh<dim> &mesh, const std::string &name, Condition condition);
+
+    void
+    set_flow_rates(const std::string &text, const Mesh<dim> &mesh);
+
+    void
+    set_inflow_fluids(const std::string &text, const Mesh<dim> &mesh);
+
+    /// Boundaries without a condition get the one that is meant for them.
+    void
+    set_otherwise(const std::string &otherwise, const Mesh<dim> &mesh);
 
     std::map<dealii::types::boundary_id, Condition> conditions;
   };

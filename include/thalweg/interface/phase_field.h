@@ -6,9 +6,12 @@
 #include <thalweg/fields/node_space.h>
 #include <thalweg/interface/cut_cell.h>
 #include <thalweg/interface/redistance.h>
+#include <thalweg/interface/volume_correction.h>
 #include <thalweg/materials/fluids.h>
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace Thalweg
@@ -46,14 +49,27 @@ namespace Thalweg
     void
     rebuild(const Vector &level_set, const bool hold_volume = true);
 
-    /// The volume that fluid 0 is to have, m^dim. rebuild() without shift
-    /// sets it at the start.
+    /// The volume that fluid 0 is to have in all, m^dim, if nothing carries
+    /// it.
     double target_volume = 0;
 
-    /// The volume of fluid 0 that leaves per second through the boundary
-    /// with the velocity @p velocity, m^dim/s. Collective.
-    double
-    outflow(const Vector &velocity, const BoundaryNodes<dim> &boundary) const;
+    /**
+     * @brief From now on rebuild() gives each body of fluid the volume that
+     * is carried there.
+     * @param volumes returns what is carried in each owned cell of both
+     *   fluids, m^dim
+     * @param boundary must outlive this object
+     */
+    void
+    carry(std::function<typename VolumeCorrection<dim>::Carried()> volumes,
+          const BoundaryNodes<dim>                                &boundary);
+
+    /// What is carried of both fluids, but not shown by the mesh, m^dim.
+    const std::array<double, 2> &
+    debt() const
+    {
+      return debts;
+    }
 
     /// Ghosted level set after the shift.
     const Vector &
@@ -108,7 +124,8 @@ namespace Thalweg
       return domain_volume;
     }
 
-    /// The last shift, in units of the level set.
+    /// The last shift, in units of the level set; the largest one of those of
+    /// all bodies.
     double
     shift() const
     {
@@ -126,6 +143,13 @@ namespace Thalweg
     double
     find_shift(const CellField<dim, 1> &values) const;
 
+    /// Shifts the level set as a whole for target_volume, or body by body.
+    void
+    correct(CellField<dim, 1> &values);
+
+    void
+    shift_bodies();
+
     void
     build_cells();
 
@@ -140,19 +164,23 @@ namespace Thalweg
       std::array<double, (1 << dim)> absolute; ///< of the nodes it depends on
     };
 
-    const NodeSpace<dim>             &space;
-    const Fluids                     &fluids;
-    const InterfaceParameters        &parameters;
-    Redistance<dim>                   redistance;
-    Vector                            phi;
-    std::vector<int>                  cut_of_cell;
-    std::vector<unsigned char>        fluid_of_cell;
-    std::vector<CutLevelSet>          level_sets;
-    mutable std::vector<CutCell<dim>> cuts;
-    double                            domain_volume    = 0;
-    double                            unshifted_volume = 0;
-    double                            shifted_volume   = 0;
-    double                            last_shift       = 0;
+    const NodeSpace<dim>                                    &space;
+    const Fluids                                            &fluids;
+    const InterfaceParameters                               &parameters;
+    Redistance<dim>                                          redistance;
+    Vector                                                   phi;
+    std::vector<int>                                         cut_of_cell;
+    std::vector<unsigned char>                               fluid_of_cell;
+    std::vector<CutLevelSet>                                 level_sets;
+    mutable std::vector<CutCell<dim>>                        cuts;
+    std::function<typename VolumeCorrection<dim>::Carried()> carried;
+    std::unique_ptr<VolumeCorrection<dim>>                   correction;
+    std::array<double, 2>                                    debts{};
+    double                                                   shortest_edge = 0;
+    double                                                   domain_volume = 0;
+    double unshifted_volume                                                = 0;
+    double shifted_volume                                                  = 0;
+    double last_shift                                                      = 0;
   };
 } // namespace Thalweg
 

@@ -8,6 +8,7 @@
 #include <thalweg/fields/state.h>
 #include <thalweg/fluid/fluid_solver.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/particles/boundary_exchange.h>
 #include <thalweg/particles/path_convection.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/streamline_convection.h>
@@ -35,6 +36,7 @@ namespace Thalweg
     PhaseField<dim>                 &phase;
     FluidSolver<dim>                &flow;
     const PathConvection<dim>       &paths;
+    BoundaryExchange<dim>           &exchange;
   };
 
   /**
@@ -141,6 +143,21 @@ namespace Thalweg
                       const LagrangeSpace<dim> &velocity_space,
                       const Vector             &velocity,
                       const Vector             &level_set);
+
+  /// Lets fluid in and out through the boundaries after the particles were
+  /// moved, if there are two fluids. Collective.
+  /// @param velocity with which they moved, ghosted, m/s
+  /// @param cell_velocity the same cell by cell
+  /// @param middle of the step, s
+  /// @return the number of new particles on this rank
+  template <int dim>
+  unsigned int
+  pass_boundaries(const Parts<dim>        &parts,
+                  const ConvectionReport  &report,
+                  const Vector            &velocity,
+                  const CellVelocity<dim> &cell_velocity,
+                  const double             middle,
+                  const double             dt);
 
   /// Writes what convection and population control did into the statistics.
   template <int dim>

@@ -31,6 +31,14 @@ namespace Thalweg
   move_along(Population<dim>                  &population,
              const StreamlineWalk<dim, Field> &walk,
              const double                      dt);
+
+  /// Inserts particles that each walk for a time of their own, and returns
+  /// what became of those that ended on this rank. Collective.
+  template <int dim>
+  ConvectionReport
+  insert_along(Population<dim>                     &population,
+               const StreamlineWalk<dim>           &walk,
+               const std::vector<NewParticle<dim>> &particles);
 } // namespace Thalweg
 
 #endif

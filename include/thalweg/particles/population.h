@@ -6,6 +6,9 @@
 
 #include <deal.II/particles/particle_handler.h>
 
+#include <array>
+#include <vector>
+
 namespace Thalweg
 {
   /**
@@ -13,9 +16,11 @@ namespace Thalweg
    * carries.
    *
    * Properties of a particle, in this order: its velocity (dim components,
-   * m/s) and its level set value, negative in the denser fluid (dimension of
-   * length, or just a sign, as the chosen interface representation says).
-   * Reference coordinates are always those in the particle's cell.
+   * m/s), its level set value, negative in the denser fluid (dimension of
+   * length, or just a sign, as the chosen interface representation says), and
+   * the volume of fluid that it carries (m^dim; zero is allowed: such a
+   * particle only marks the fluid). Reference coordinates are always those in
+   * the particle's cell.
    */
   template <int dim>
   class Population
@@ -23,12 +28,21 @@ namespace Thalweg
   public:
     static constexpr unsigned int velocity_offset  = 0;
     static constexpr unsigned int level_set_offset = dim;
-    static constexpr unsigned int n_properties     = dim + 1;
+    static constexpr unsigned int volume_offset    = dim + 1;
+    static constexpr unsigned int n_properties     = dim + 2;
 
     using Handler  = dealii::Particles::ParticleHandler<dim>;
     using Iterator = typename Handler::particle_iterator;
 
     explicit Population(const Mesh<dim> &mesh);
+
+    /// The number of the fluid that a particle belongs to.
+    template <typename Properties>
+    static unsigned int
+    fluid_of(const Properties &properties)
+    {
+      return properties[level_set_offset] < 0 ? 0 : 1;
+    }
 
     Handler &
     handler()
@@ -71,6 +85,11 @@ namespace Thalweg
     /// The number of particles on all ranks. Collective.
     dealii::types::particle_index
     n_global_particles() const;
+
+    /// What the particles of each owned cell of the graph carry of both
+    /// fluids, m^dim.
+    std::vector<std::array<double, 2>>
+    volumes_of_cells() const;
 
   private:
     const Mesh<dim>              &mesh_;

@@ -29,7 +29,16 @@ namespace Thalweg
     /// Whether new particles get the sign of the level set, 1 or -1, instead
     /// of its value.
     bool level_set_is_sign = true;
+    /// Whether particles carry volume, which new ones take from others of
+    /// their fluid in the cell, and removed ones leave to their neighbours.
+    bool carry_volume = false;
   };
+
+  /// The level set of what comes in through boundaries, at a point there.
+  template <int dim>
+  using InflowLevelSet =
+    std::map<dealii::types::boundary_id,
+             std::function<double(const dealii::Point<dim> &)>>;
 
   /**
    * @brief Keeps the number of particles in each cell between a minimum and a
@@ -59,21 +68,19 @@ namespace Thalweg
      * @param parameters the bounds
      * @param convection finds the origin of new particles; must outlive this
      *   object
-     * @param inflow_level_set the level set value of what comes in through
-     *   an open boundary; at others new particles take it from the field
+     * @param inflow_level_set of what comes in through open boundaries; at
+     *   others new particles take it from the field
      * @throws dealii::ExcMessage if the maximum is not above the minimum, or
      *   below the number of sub-cells
      */
-    PopulationControl(
-      const PopulationParameters<dim>                    &parameters,
-      const StreamlineConvection<dim>                    &convection,
-      const std::map<dealii::types::boundary_id, double> &inflow_level_set);
+    PopulationControl(const PopulationParameters<dim> &parameters,
+                      const StreamlineConvection<dim> &convection,
+                      const InflowLevelSet<dim>       &inflow_level_set);
 
     /// The same for those who find the origin of new particles themselves,
     /// with a Tracer.
-    PopulationControl(
-      const PopulationParameters<dim>                    &parameters,
-      const std::map<dealii::types::boundary_id, double> &inflow_level_set);
+    PopulationControl(const PopulationParameters<dim> &parameters,
+                      const InflowLevelSet<dim>       &inflow_level_set);
 
     /**
      * @brief Puts a particle into each empty sub-cell of the cells that have
@@ -109,7 +116,8 @@ namespace Thalweg
 
     /**
      * @brief Removes particles from cells that have more than the maximum:
-     * those that are nearest to another one of the same fluid. Collective.
+     * those that are nearest to another one of the same fluid, which takes
+     * their volume and momentum. Collective.
      *
      * The particles of both fluids decrease in the same proportion, and no
      * fluid vanishes from a cell.
@@ -122,9 +130,9 @@ namespace Thalweg
     double
     level_set_value(const Foot<dim> &foot) const;
 
-    const PopulationParameters<dim>                    parameters;
-    const StreamlineConvection<dim>                   *convection;
-    const std::map<dealii::types::boundary_id, double> inflow_level_set;
+    const PopulationParameters<dim>  parameters;
+    const StreamlineConvection<dim> *convection;
+    const InflowLevelSet<dim>        inflow_level_set;
   };
 } // namespace Thalweg
 

@@ -6,6 +6,8 @@
 
 #include <deal.II/base/function.h>
 
+#include <functional>
+
 namespace Thalweg
 {
   /// Where particles stand at the start.
@@ -32,6 +34,10 @@ namespace Thalweg
    * @param parameters how many and where
    * @param velocity dim components, in m/s
    * @param level_set one component, negative in the denser fluid
+   * @param negative_volume of a cell, in m^dim: what the particles of fluid 0
+   *   in it share; those of fluid 1 share the rest. A fluid that none of the
+   *   regular particles of the cell stands in gets another one. Without this
+   *   function particles carry no volume.
    * @throws dealii::ExcMessage if there are more particles than indices, or
    *   if the functions have the wrong number of components
    */
@@ -40,7 +46,9 @@ namespace Thalweg
   seed(Population<dim>             &population,
        const SeedingParameters     &parameters,
        const dealii::Function<dim> &velocity,
-       const dealii::Function<dim> &level_set);
+       const dealii::Function<dim> &level_set,
+       const std::function<double(const typename CellGraph<dim>::Cell &)>
+         &negative_volume = {});
 } // namespace Thalweg
 
 #endif

@@ -37,6 +37,15 @@ namespace Thalweg
     std::array<double, 3> place{};
   };
 
+  /// A volume of fluid that particles took out of the domain.
+  struct Exit
+  {
+    unsigned int cell; ///< an owned one of the graph
+    unsigned int face; ///< its face at the boundary
+    unsigned int fluid;
+    double       volume; ///< m^dim
+  };
+
   /// What became of the particles in one step, on this rank.
   struct ConvectionReport
   {
@@ -50,8 +59,12 @@ namespace Thalweg
     /// Left through an open boundary: with a negative and with another level
     /// set value.
     std::map<dealii::types::boundary_id, std::array<std::uint64_t, 2>> left;
-    std::uint64_t n_substeps      = 0;
-    std::uint64_t n_cells_crossed = 0;
+    /// Where they left and what they carried; of this rank only.
+    std::vector<Exit> exits;
+    /// What those that were lost carried of both fluids, m^dim.
+    std::array<double, 2> lost_volume{};
+    std::uint64_t         n_substeps      = 0;
+    std::uint64_t         n_cells_crossed = 0;
 
     /// All that left, through whichever boundary.
     std::uint64_t
@@ -77,6 +90,16 @@ namespace Thalweg
     /// Whether the foot was found; if not, position, velocity and level set
     /// are those of the head.
     bool found;
+  };
+
+  /// A particle that is to appear.
+  template <int dim>
+  struct NewParticle
+  {
+    unsigned int       cell; ///< an owned one of the graph
+    dealii::Point<dim> reference;
+    double             time; ///< how long it goes on from there, s
+    std::array<double, Population<dim>::n_properties> properties;
   };
 
   /**
@@ -115,6 +138,20 @@ namespace Thalweg
     move(Population<dim>         &population,
          const CellVelocity<dim> &velocity,
          const double             dt) const;
+
+    /**
+     * @brief Inserts particles that each go on for a time of their own.
+     * Collective; ranks may insert any number of particles.
+     *
+     * @param population gets the particles
+     * @param particles of this rank
+     * @param velocity at the nodes of all owned and ghost cells, in m/s
+     * @return what became of them, on the ranks where their ways ended
+     */
+    ConvectionReport
+    insert(Population<dim>                     &population,
+           const std::vector<NewParticle<dim>> &particles,
+           const CellVelocity<dim>             &velocity) const;
 
     /**
      * @brief Follows the streamlines through given points backwards in time.

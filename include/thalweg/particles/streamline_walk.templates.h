@@ -285,6 +285,7 @@ namespace Thalweg
             shorten_piece(walker, 1. - exit.fraction);
             undo_piece(walker);
             walker.boundary = face.boundary_id;
+            walker.face     = exit.face;
             walker.fate     = Fate::left;
             return;
           }

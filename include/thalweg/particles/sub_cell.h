@@ -3,12 +3,32 @@
 
 #include <deal.II/base/point.h>
 
+#include <cmath>
+
 namespace Thalweg
 {
   /// Differences of reference coordinates that say nothing: decisions must
   /// not depend on them, else runs on other numbers of ranks, which differ by
   /// round-off, part ways where particles stand symmetrically.
   constexpr double reference_round_off = 1e-6;
+
+  /// A reference coordinate in units of what can be told apart.
+  inline long
+  rounded(const double coordinate)
+  {
+    return std::lround(coordinate / reference_round_off);
+  }
+
+  /// A total order of points that does not see round-off.
+  template <int dim>
+  bool
+  stands_before(const dealii::Point<dim> &a, const dealii::Point<dim> &b)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (const long i = rounded(a[d]), j = rounded(b[d]); i != j)
+        return i < j;
+    return false;
+  }
 
   /// Which of the 2^dim halves of the reference cell @p reference lies in,
   /// numbered as the cell's children are.

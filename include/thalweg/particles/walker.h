@@ -63,8 +63,9 @@ namespace Thalweg
     double piece_time;
     /// Number of the cell in the CellGraph.
     unsigned int cell;
-    /// The boundary where the walker left.
+    /// The boundary where the walker left, and the face of its cell.
     dealii::types::boundary_id boundary;
+    std::uint8_t               face;
     Fate                       fate;
 
     /// One that is to walk for the time @p time from a point of a cell.
@@ -81,6 +82,7 @@ namespace Thalweg
       walker.piece_time  = 0;
       walker.cell        = cell;
       walker.boundary    = dealii::numbers::invalid_boundary_id;
+      walker.face        = 0;
       walker.fate        = Fate::under_way;
       return walker;
     }

@@ -7,6 +7,7 @@
 #include <thalweg/simulation/simulation_parts.h>
 #include <thalweg/simulation/step_snapshot.h>
 #include <thalweg/simulation/stop_signals.h>
+#include <thalweg/simulation/volume_watch.h>
 
 #include <chrono>
 #include <map>
@@ -120,6 +121,14 @@ namespace Thalweg
     void
     record();
 
+    /// Warns of fluids that are not there before the first step.
+    void
+    announce_volumes();
+
+    /// What there is of both fluids, on particles and on the mesh.
+    void
+    record_volumes();
+
     SimulationParameters<dim>        &parameters;
     Context                          &context;
     const Settings                    settings;
@@ -137,6 +146,7 @@ namespace Thalweg
     double               rate = 0.;
     TimeControl::Viscous viscous{0., 0.};
     Progress             progress;
+    VolumeWatch          watch;
 
     std::unique_ptr<SimulationParts<dim>> parts;
     std::unique_ptr<MeshAdaptation<dim>>  adaptation;

@@ -76,7 +76,23 @@ namespace Thalweg
       return *phase;
     }
 
+    /// What of each fluid came in and went out.
+    const VolumeBooks &
+    books() const
+    {
+      return exchange->books();
+    }
+
+    /// What particles carry of both fluids, with what waits at boundaries for
+    /// new ones, m^dim. Collective.
+    FluidVolumes
+    carried_volumes() const;
+
   private:
+    /// The same in each owned cell.
+    std::vector<FluidVolumes>
+    volumes_of_cells() const;
+
     /// The largest level set value that particles carry, m. Collective.
     double
     find_carried_distance() const;
@@ -85,8 +101,13 @@ namespace Thalweg
     walls() const;
 
     /// The level set of what comes in through a boundary.
-    std::map<dealii::types::boundary_id, double>
+    InflowLevelSet<dim>
     inflow() const;
+
+    /// The volume of the first fluid in a cell at the start, m^dim; nothing
+    /// for a single fluid.
+    std::function<double(const typename CellGraph<dim>::Cell &)>
+    negative_volume(const dealii::Function<dim> &level_set) const;
 
     SimulationParameters<dim>                 &parameters;
     Context                                   &context;
@@ -99,6 +120,7 @@ namespace Thalweg
     std::unique_ptr<StreamlineConvection<dim>> convection;
     std::unique_ptr<PathConvection<dim>>       paths;
     std::unique_ptr<PopulationControl<dim>>    control;
+    std::unique_ptr<BoundaryExchange<dim>>     exchange;
     std::unique_ptr<PhaseField<dim>>           phase;
   };
 } // namespace Thalweg

@@ -1,0 +1,323 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/q1_cell.h>
+#include <thalweg/particles/boundary_exchange.h>
+#include <thalweg/particles/sub_cell.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  namespace
+  {
+    template <int dim>
+    using Face = typename BoundaryNodes<dim>::Face;
+
+    /// How far a point of a cell is from a face, in parts of the cell.
+    template <int dim>
+    double
+    depth(const Face<dim> &face, const dealii::Point<dim> &reference)
+    {
+      const double x = reference[face.face_no / 2];
+      return face.face_no % 2 == 0 ? x : 1. - x;
+    }
+
+    /// The particles of a face's cell in the order in which they come to the
+    /// face.
+    template <int dim>
+    std::vector<typename Population<dim>::Iterator>
+    nearest_first(Population<dim> &population, const Face<dim> &face)
+    {
+      std::vector<typename Population<dim>::Iterator> particles;
+      const auto in_cell = population.handler().particles_in_cell(
+        population.mesh().graph().iterator(face.cell));
+      for (auto particle = in_cell.begin(); particle != in_cell.end();
+           ++particle)
+        particles.push_back(particle);
+      std::sort(particles.begin(),
+                particles.end(),
+                [&](const auto &a, const auto &b) {
+                  const auto &x  = a->get_reference_location();
+                  const auto &y  = b->get_reference_location();
+                  const long  dx = rounded(depth<dim>(face, x));
+                  const long  dy = rounded(depth<dim>(face, y));
+                  return dx != dy ? dx < dy : stands_before(x, y);
+                });
+      return particles;
+    }
+
+    /// The middle of one of the n^(dim-1) squares of a face, at a distance of
+    /// the face in parts of the cell.
+    template <int dim>
+    dealii::Point<dim>
+    before_face(const Face<dim>   &face,
+                const unsigned int square,
+                const unsigned int n,
+                const double       distance)
+    {
+      dealii::Point<dim> xi;
+      xi[face.face_no / 2] = face.face_no % 2 == 0 ? distance : 1. - distance;
+      for (unsigned int d = 0, rest = square; d < dim; ++d)
+        if (d != face.face_no / 2)
+          {
+            xi[d] = (rest % n + .5) / n;
+            rest /= n;
+          }
+      return xi;
+    }
+
+    /// What goes out of a face of both fluids, as their particles @p n stand
+    /// before it.
+    FluidVolumes
+    share_outflow(const double outflow, const std::array<unsigned int, 2> &n)
+    {
+      // Where nothing stands nothing but the second fluid can be missing.
+      const unsigned int sum  = n[0] + n[1];
+      const double       part = sum == 0 ? 0. : static_cast<double>(n[0]) / sum;
+      return {{part * outflow, (1. - part) * outflow}};
+    }
+  } // namespace
+
+
+  template <int dim>
+  BoundaryExchange<dim>::BoundaryExchange(
+    const NodeSpace<dim>            &space,
+    const BoundaryNodes<dim>        &boundary,
+    const InflowLevelSet<dim>       &inflow_level_set,
+    const StreamlineConvection<dim> &convection,
+    const unsigned int               particles_per_direction)
+    : space(space)
+    , boundary(boundary)
+    , inflow(space.mesh().graph(), inflow_level_set)
+    , convection(convection)
+    , particles_per_direction(particles_per_direction)
+    , accounts(space.mesh().graph(), boundary)
+  {}
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::settle(Population<dim>   &population,
+                                const unsigned int face,
+                                const Departure   &departure,
+                                FluidVolumes      &out)
+  {
+    FluidVolumes &owed = accounts[face].owed;
+    if (owed == FluidVolumes())
+      return;
+    std::array<bool, 2> is_there{};
+    for (auto particle :
+         nearest_first(population, boundary.passable_faces()[face]))
+      {
+        auto               properties = particle->get_properties();
+        const unsigned int f          = Population<dim>::fluid_of(properties);
+        double            &volume = properties[Population<dim>::volume_offset];
+        is_there[f]               = true;
+        // Back comes no more than has just left.
+        const double taken = owed[f] > 0
+                               ? std::min(volume, owed[f])
+                               : std::max(owed[f], -departure.volumes[f]);
+        volume -= taken;
+        owed[f] -= taken;
+        out[f] += taken;
+      }
+    // What is wrong with the first fluid's part, when there is none of it, is
+    // the other's. Not so the other way around: water that is sprayed through
+    // air, and air in water, take each other's place, so that air can lack.
+    if (!is_there[0])
+      {
+        owed[1] += owed[0];
+        owed[0] = 0;
+      }
+  }
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::let_out(Population<dim>             &population,
+                                 const std::vector<FaceFlux> &fluxes,
+                                 const ConvectionReport      &report,
+                                 VolumeBooks                 &counted)
+  {
+    std::vector<Departure> departures(fluxes.size());
+    for (const Exit &exit : report.exits)
+      {
+        auto &departure = departures[accounts.index(exit.cell, exit.face)];
+        departure.volumes[exit.fluid] += exit.volume;
+        ++departure.numbers[exit.fluid];
+      }
+    for (unsigned int i = 0; i < fluxes.size(); ++i)
+      {
+        const auto  &face    = boundary.passable_faces()[i];
+        auto        &out     = counted.boundaries[face.id].out;
+        FaceAccount &account = accounts[i];
+        const double waiting = account.waiting[0] + account.waiting[1];
+        // What has just come in is the first to go.
+        const double returned = std::min(fluxes[i].out, waiting);
+        for (unsigned int f = 0; f < 2 && returned > 0; ++f)
+          {
+            const double part = returned * (account.waiting[f] / waiting);
+            account.waiting[f] -= part;
+            out[f] += part;
+          }
+        auto n = departures[i].numbers;
+        for (const auto &particle : population.handler().particles_in_cell(
+               population.mesh().graph().iterator(face.cell)))
+          ++n[Population<dim>::fluid_of(particle.get_properties())];
+        const auto shares = share_outflow(fluxes[i].out - returned, n);
+        for (unsigned int f = 0; f < 2; ++f)
+          {
+            account.owed[f] += shares[f] - departures[i].volumes[f];
+            out[f] += departures[i].volumes[f];
+          }
+        settle(population, i, departures[i], out);
+      }
+  }
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::fill_particles(
+    const unsigned int             number,
+    const unsigned int             fluid,
+    const double                   passed,
+    const CellVelocity<dim>       &cell_velocity,
+    const double                   dt,
+    std::vector<NewParticle<dim>> &particles)
+  {
+    const auto        &face  = boundary.passable_faces()[number];
+    const unsigned int per_d = particles_per_direction;
+    const double       whole = space.mesh().graph().cell(face.cell).measure /
+                         dealii::Utilities::pow(per_d, dim);
+    double &waiting = accounts[number].waiting[fluid];
+    if (waiting < (1. - reference_round_off) * whole)
+      return;
+    // Of an interface that crosses the face the squares of this fluid.
+    std::vector<unsigned int> squares;
+    for (unsigned int i = 0; i < dealii::Utilities::pow(per_d, dim - 1); ++i)
+      if ((inflow.value(face, before_face<dim>(face, i, per_d, 0.)) < 0) ==
+          (fluid == 0))
+        squares.push_back(i);
+    if (squares.empty())
+      squares.push_back(0);
+    const double       row = squares.size() * whole;
+    const unsigned int n   = std::floor(waiting / row + reference_round_off);
+    // The first row came in before the others.
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const double volume = std::min(whole, waiting / squares.size());
+        waiting -= squares.size() * volume;
+        const double time =
+          passed > 0 ? std::min(1., std::max(waiting, 0.) / passed) * dt : 0.;
+        for (const unsigned int square : squares)
+          {
+            NewParticle<dim> particle{
+              face.cell,
+              before_face<dim>(face, square, per_d, .5 / per_d),
+              time,
+              {}};
+            const auto on_face = before_face<dim>(face, square, per_d, 0.);
+            const auto shape   = Q1::values<dim>(on_face);
+            for (unsigned int v = 0; v < shape.size(); ++v)
+              for (unsigned int d = 0; d < dim; ++d)
+                particle.properties[Population<dim>::velocity_offset + d] +=
+                  shape[v] * cell_velocity[face.cell][dim * v + d];
+            const double value = inflow.value(face, on_face);
+            particle.properties[Population<dim>::level_set_offset] =
+              (value < 0) == (fluid == 0) ? value : -value;
+            particle.properties[Population<dim>::volume_offset] = volume;
+            particles.push_back(particle);
+          }
+      }
+  }
+
+
+  template <int dim>
+  unsigned int
+  BoundaryExchange<dim>::pass(Population<dim>         &population,
+                              const ConvectionReport  &report,
+                              const Vector            &velocity,
+                              const CellVelocity<dim> &cell_velocity,
+                              const double             dt)
+  {
+    const MPI_Comm communicator =
+      population.mesh().triangulation().get_communicator();
+    const auto &faces = boundary.passable_faces();
+    VolumeBooks counted;
+    for (const auto &[id, condition] : boundary.conditions().all())
+      if (condition.kind == BoundaryKind::open ||
+          condition.kind == BoundaryKind::velocity)
+        counted.boundaries[id];
+    counted.lost = report.lost_volume;
+
+    const auto fluxes = find_fluxes(space, boundary, inflow, velocity, dt);
+    let_out(population, fluxes, report, counted);
+    std::vector<NewParticle<dim>> particles;
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      for (unsigned int f = 0; f < 2; ++f)
+        {
+          accounts[i].waiting[f] += fluxes[i].in[f];
+          counted.boundaries[faces[i].id].in[f] += fluxes[i].in[f];
+          fill_particles(i, f, fluxes[i].in[f], cell_velocity, dt, particles);
+        }
+    unsigned int n_new = 0;
+    if (!counted.boundaries.empty())
+      {
+        const ConvectionReport on_way =
+          convection.insert(population, particles, cell_velocity);
+        for (const Exit &exit : on_way.exits)
+          {
+            const unsigned int i = accounts.index(exit.cell, exit.face);
+            accounts[i].owed[exit.fluid] -= exit.volume;
+            counted.boundaries[faces[i].id].out[exit.fluid] += exit.volume;
+          }
+        for (unsigned int f = 0; f < 2; ++f)
+          counted.lost[f] += on_way.lost_volume[f];
+        n_new = on_way.n_moved - on_way.exits.size() - on_way.n_lost;
+      }
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      for (unsigned int f = 0; f < 2; ++f)
+        counted.owed[f] += accounts[i].owed[f];
+    volume_books.add(counted, communicator);
+    return n_new;
+  }
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::open_books(const Population<dim> &population)
+  {
+    volume_books = VolumeBooks();
+    volume_books.start =
+      sum_over_ranks(population.volumes_of_cells(),
+                     population.mesh().triangulation().get_communicator());
+  }
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::add_waiting(
+    std::vector<FluidVolumes> &volumes_of_cells) const
+  {
+    const auto &faces = boundary.passable_faces();
+    for (unsigned int i = 0; i < faces.size(); ++i)
+      for (unsigned int f = 0; f < 2; ++f)
+        volumes_of_cells[faces[i].cell][f] += accounts[i].waiting[f];
+  }
+
+
+  template <int dim>
+  void
+  BoundaryExchange<dim>::keep(const Archive &archive)
+  {
+    volume_books.keep(archive.enter("books"));
+    accounts.keep(archive.enter("faces"),
+                  space.mesh().triangulation().get_communicator());
+  }
+} // namespace Thalweg
+
+THALWEG_INSTANTIATE(Thalweg::BoundaryExchange)

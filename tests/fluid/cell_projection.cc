@@ -1,0 +1,180 @@
+#include <thalweg/fields/q1_integrals.h>
+#include <thalweg/fluid/cell_projection.h>
+#include <thalweg/fluid/nodal_mass.h>
+#include <thalweg/fluid/pressure_system.h>
+
+#include <cmath>
+
+#include "support/dimensions.h"
+#include "support/meshes.h"
+#include "support/scene.h"
+
+using namespace Thalweg;
+
+namespace
+{
+  template <typename T>
+  class CellProjectionMpi : public testing::Test
+  {};
+  TYPED_TEST_SUITE(CellProjectionMpi, Dimensions);
+
+
+  /// Water and air on a mesh, and what the projection stands on.
+  template <int dim>
+  struct Projected
+  {
+    Projected(const std::string                     &settings,
+              const typename Scene<dim>::MeshChange &change = {})
+      : scene(settings + two_fluids(1000., 1.), change)
+      , pressure(*scene.space, *scene.boundary, *scene.phase, scene.forces)
+      , mass(*scene.space, *scene.boundary, *scene.phase)
+      , projection(*scene.space, *scene.boundary, pressure)
+    {
+      scene.set_phases(
+        [](const auto &x) { return x[dim - 1] - .43 + .2 * x[0]; });
+      pressure.assemble();
+      mass.update();
+    }
+
+    /// Of all cells the greatest int_K div V.
+    double
+    greatest_outflow(const Vector &velocity) const
+    {
+      const Q1Integrals<dim> integrals;
+      const auto            &graph   = scene.mesh.graph();
+      double                 largest = 0;
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+        {
+          const auto gradients = integrals.gradient_integrals(graph.cell(c));
+          double     sum       = 0;
+          for (unsigned int v = 0; v < gradients.size(); ++v)
+            sum += gradients[v] * scene.at(velocity, scene.space->nodes(c)[v]);
+          largest = std::max(largest, std::abs(sum));
+        }
+      return max_of_all(largest);
+    }
+
+    double
+    energy(const Vector &velocity) const
+    {
+      double sum = 0;
+      scene.for_each_node([&](const unsigned int n, const auto &) {
+        sum += .5 * mass.lumped().local_element(n) *
+               scene.at(velocity, n).norm_square();
+      });
+      return sum_of_all(sum);
+    }
+
+    Scene<dim>          scene;
+    PressureSystem<dim> pressure;
+    NodalMass<dim>      mass;
+    CellProjection<dim> projection;
+  };
+
+
+  /// With divergence, and along the walls of the unit box.
+  template <int dim>
+  dealii::Tensor<1, dim>
+  rough(const dealii::Point<dim> &x)
+  {
+    dealii::Tensor<1, dim> u;
+    for (unsigned int d = 0; d < dim; ++d)
+      u[d] = std::sin(dealii::numbers::PI * x[d]) *
+             std::cos(5. * x[(d + 1) % dim] + 7. * d);
+    return u;
+  }
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  uniform(const dealii::Point<dim> &)
+  {
+    dealii::Tensor<1, dim> u;
+    u[0] = 2.;
+    return u;
+  }
+} // namespace
+
+
+
+TYPED_TEST(CellProjectionMpi, NothingIsLeftOfTheOutflowOfACell)
+{
+  constexpr int dim = TypeParam::value;
+  const std::vector<std::pair<std::string, typename Scene<dim>::MeshChange>>
+    meshes{{unit_box<dim>(6), {}},
+           {hanging_box<dim>(4), {}},
+           {hanging_box<dim>(4, {"Periodic boundaries = left:right"}), {}},
+           {unit_box<dim>(4), Meshes::distort_and_refine<dim>},
+           {hanging_box<dim>(4) +
+              section("Boundary conditions", {"Open = top: 0"}),
+            {}}};
+  for (unsigned int m = 0; m < meshes.size(); ++m)
+    {
+      Projected<dim> p(meshes[m].first, meshes[m].second);
+      Vector         v = p.scene.velocity(rough<dim>);
+      p.scene.boundary->apply(v);
+      p.scene.space->interpolate(v, dim);
+      const double outflow = p.greatest_outflow(v), energy = p.energy(v);
+      const auto report = p.projection.project(p.mass.lumped(), v, 1e-9, 2000);
+      EXPECT_LT(p.greatest_outflow(v), 1e-6 * outflow) << m;
+      EXPECT_LT(p.energy(v), energy) << m;
+      EXPECT_LT(report.residual, 1e-3) << m;
+      Vector fixed = v;
+      p.scene.boundary->apply(fixed);
+      fixed.add(-1., v);
+      EXPECT_LT(fixed.linfty_norm(), 1e-14) << m;
+    }
+}
+
+
+
+TYPED_TEST(CellProjectionMpi, WhatItTakesIsOrthogonalToWhatItLeaves)
+{
+  constexpr int  dim = TypeParam::value;
+  Projected<dim> p(hanging_box<dim>(4));
+  const Vector   before = p.scene.velocity(rough<dim>);
+  Vector         after  = before;
+  after.update_ghost_values();
+  p.projection.project(p.mass.lumped(), after, 1e-9, 2000);
+  Vector taken = before;
+  taken.zero_out_ghost_values();
+  taken.add(-1., after);
+  EXPECT_NEAR(p.energy(before),
+              p.energy(after) + p.energy(taken),
+              1e-6 * p.energy(before));
+}
+
+
+
+TYPED_TEST(CellProjectionMpi, AUniformFlowIsLeftAlone)
+{
+  constexpr int     dim   = TypeParam::value;
+  const std::string other = dim == 3 ? "; 0" : "";
+  Projected<dim>    p(unit_box<dim>(4) + section("Boundary conditions",
+                                              {"Velocity = left: 2; 0" + other +
+                                                  " | right: 2; 0" + other}),
+                   Meshes::distort_and_refine<dim>);
+  Vector            v = p.scene.velocity(uniform<dim>);
+  const auto report   = p.projection.project(p.mass.lumped(), v, 1e-2, 100);
+  EXPECT_EQ(report.iterations, 0u);
+  p.scene.for_each_node([&](const unsigned int n, const auto &x) {
+    EXPECT_EQ((p.scene.at(v, n) - uniform<dim>(x)).norm(), 0.) << x;
+  });
+}
+
+
+
+TYPED_TEST(CellProjectionMpi, FewIterationsDoWhateverTheDensities)
+{
+  constexpr int dim = TypeParam::value;
+  unsigned int  iterations[2];
+  for (const unsigned int level : {0, 1})
+    {
+      Projected<dim> p(unit_box<dim>((dim == 2 ? 12 : 4) << level));
+      Vector         v = p.scene.velocity(rough<dim>);
+      iterations[level] =
+        p.projection.project(p.mass.lumped(), v, 1e-2, 100).iterations;
+    }
+  EXPECT_LT(iterations[0], 25u);
+  EXPECT_LT(iterations[1], iterations[0] + 10);
+}

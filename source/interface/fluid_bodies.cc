@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -81,12 +82,17 @@ namespace Thalweg
       if (fluid_of_node[entry.node] == fluid_of_node[entry.master])
         sets.unite(entry.node, entry.master);
 
+    // Labels are places on the space-filling curve: the same bodies have the
+    // same order on any number of ranks.
     Vector labels;
     space.initialize_scalar(labels);
-    const auto         &partitioner = *labels.get_partitioner();
-    std::vector<double> of_node(fluid_of_node.size());
-    for (unsigned int n = 0; n < of_node.size(); ++n)
-      of_node[n] = partitioner.local_to_global(n);
+    std::vector<double> of_node(fluid_of_node.size(),
+                                std::numeric_limits<double>::max());
+    for (unsigned int c = 0; c < space.mesh().graph().n_cells(); ++c)
+      for (const unsigned int node : space.nodes(c))
+        of_node[node] =
+          std::min<double>(of_node[node],
+                           space.mesh().graph().cell(c).global_index);
     const MPI_Comm communicator =
       space.mesh().triangulation().get_communicator();
     for (bool has_changed = true; has_changed;)

@@ -47,22 +47,88 @@ namespace Thalweg
   VolumeCorrection<dim>::find_targets(const FluidBodies<dim> &bodies,
                                       const Carried          &carried)
   {
-    // Behind the bodies' volumes those of both fluids that no body is near.
-    targets.assign(bodies.size() + 2, 0.);
+    // Behind the targets the spray, and in the end all that is carried.
+    const unsigned int        n = bodies.size();
+    std::vector<double>       sums(2 * n + 2, 0.);
+    std::vector<unsigned int> spray;
     for (unsigned int c = 0; c < carried.size(); ++c)
       for (unsigned int fluid = 0; fluid < 2; ++fluid)
         if (carried[c][fluid] != 0)
           {
             const int body = bodies.near_cell(c, fluid);
-            targets[body == FluidBodies<dim>::none ? bodies.size() + fluid
-                                                   : body] += carried[c][fluid];
+            sums[2 * n + fluid] += carried[c][fluid];
+            if (body != FluidBodies<dim>::none)
+              sums[body] += carried[c][fluid];
+            else if (fluid == 0)
+              spray.push_back(c);
           }
-    dealii::Utilities::MPI::sum(targets,
+    const auto nearest = nearest_bodies(bodies, spray);
+    for (unsigned int i = 0; i < spray.size(); ++i)
+      if (nearest[i] != FluidBodies<dim>::none)
+        sums[n + nearest[i]] += carried[spray[i]][0];
+    dealii::Utilities::MPI::sum(sums,
                                 space.mesh().triangulation().get_communicator(),
-                                targets);
-    for (unsigned int fluid = 0; fluid < 2; ++fluid)
-      debts[fluid] = targets[bodies.size() + fluid];
-    targets.resize(bodies.size());
+                                sums);
+    targets.assign(sums.begin(), sums.begin() + n);
+    sprays.assign(sums.begin() + n, sums.begin() + 2 * n);
+    debts = {{sums[2 * n], sums[2 * n + 1]}};
+  }
+
+
+
+  template <int dim>
+  std::vector<int>
+  VolumeCorrection<dim>::nearest_bodies(
+    const FluidBodies<dim>          &bodies,
+    const std::vector<unsigned int> &cells) const
+  {
+    const MPI_Comm communicator =
+      space.mesh().triangulation().get_communicator();
+    const CellGraph<dim> &graph = space.mesh().graph();
+    Vector                nearest;
+    space.initialize_scalar(nearest);
+    const unsigned int n_owned = nearest.locally_owned_size();
+    for (unsigned int n = 0; n < n_owned; ++n)
+      nearest.local_element(n) = bodies.near_node(n, 0);
+    nearest.update_ghost_values();
+
+    std::vector<int> result(cells.size(), FluidBodies<dim>::none);
+    const auto       at_cell = [&](const unsigned int cell) {
+      double body = FluidBodies<dim>::none;
+      for (const unsigned int node : space.nodes(cell))
+        body = std::max(body, nearest.local_element(node));
+      return body;
+    };
+    // One more ring of nodes knows in each turn.
+    for (bool goes_on = true; goes_on;)
+      {
+        bool is_missing = false;
+        for (unsigned int i = 0; i < cells.size(); ++i)
+          if (result[i] == FluidBodies<dim>::none)
+            {
+              result[i]  = static_cast<int>(at_cell(cells[i]));
+              is_missing = is_missing || result[i] == FluidBodies<dim>::none;
+            }
+        bool has_grown = false;
+        if (dealii::Utilities::MPI::logical_or(is_missing, communicator))
+          {
+            std::vector<double> next(n_owned, FluidBodies<dim>::none);
+            for (unsigned int c = 0; c < graph.n_cells(); ++c)
+              if (const double body = at_cell(c); body >= 0)
+                for (const unsigned int node : space.nodes(c))
+                  if (node < n_owned)
+                    next[node] = std::max(next[node], body);
+            for (unsigned int n = 0; n < n_owned; ++n)
+              if (nearest.local_element(n) < 0 && next[n] >= 0)
+                {
+                  nearest.local_element(n) = next[n];
+                  has_grown                = true;
+                }
+            nearest.update_ghost_values();
+          }
+        goes_on = dealii::Utilities::MPI::logical_or(has_grown, communicator);
+      }
+    return result;
   }
 
 
@@ -101,16 +167,19 @@ namespace Thalweg
 
   template <int dim>
   std::vector<typename VolumeCorrection<dim>::Goal>
-  VolumeCorrection<dim>::choose(const FluidBodies<dim> &bodies,
-                                const bool              pockets) const
+  VolumeCorrection<dim>::choose(const FluidBodies<dim>    &bodies,
+                                const std::vector<double> &volumes,
+                                const bool                 pockets) const
   {
     std::vector<Goal> goals;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       if (pockets ? is_pocket[b] : bodies.fluid(b) == 0)
         {
           Goal goal;
-          goal.body   = b;
-          goal.target = targets[b];
+          goal.body = b;
+          // Of the spray as much is shown as the level set shows by itself.
+          goal.target =
+            std::max(targets[b], std::min(targets[b] + sprays[b], volumes[b]));
           goals.push_back(goal);
         }
     return goals;
@@ -224,19 +293,11 @@ namespace Thalweg
 
   template <int dim>
   void
-  VolumeCorrection<dim>::apply(Vector        &phi,
-                               const Carried &carried,
-                               const double   largest_shift)
+  VolumeCorrection<dim>::find_active_cells(const FluidBodies<dim> &bodies,
+                                           const Vector           &phi,
+                                           const double largest_shift)
   {
-    const FluidBodies<dim> bodies(space, phi);
-    find_targets(bodies, carried);
-    shifts.assign(bodies.size(), 0.);
-    is_pocket.assign(bodies.size(), false);
-    counts = {};
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      ++counts[bodies.fluid(b)];
     passive_volumes.assign(bodies.size(), 0.);
-
     active_cells.clear();
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
@@ -254,6 +315,24 @@ namespace Thalweg
             if (const int body = bodies.in_cell(c, fluid); body >= 0)
               passive_volumes[body] += graph.cell(c).measure;
       }
+  }
+
+
+
+  template <int dim>
+  void
+  VolumeCorrection<dim>::apply(Vector        &phi,
+                               const Carried &carried,
+                               const double   largest_shift)
+  {
+    const FluidBodies<dim> bodies(space, phi);
+    find_targets(bodies, carried);
+    shifts.assign(bodies.size(), 0.);
+    is_pocket.assign(bodies.size(), false);
+    counts = {};
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      ++counts[bodies.fluid(b)];
+    find_active_cells(bodies, phi, largest_shift);
     body_of_node.assign(space.scalar_layout().locally_owned_size(), -1);
     const auto before = volumes(bodies, phi);
     mark_pockets(bodies, before);
@@ -261,14 +340,14 @@ namespace Thalweg
 
     for (const bool pockets : {true, false})
       {
-        auto goals = choose(bodies, pockets);
+        auto goals = choose(bodies, volumes(bodies, phi), pockets);
         reach(goals, bodies, phi, largest_shift);
       }
     const auto after = volumes(bodies, phi);
     largest          = 0;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        debts[bodies.fluid(b)] += targets[b] - after[b];
+        debts[bodies.fluid(b)] -= after[b];
         if (std::abs(shifts[b]) > std::abs(largest))
           largest = shifts[b];
       }

@@ -70,15 +70,31 @@ namespace Thalweg
       return xi;
     }
 
-    /// What goes out of a face of both fluids, as their particles @p n stand
-    /// before it.
-    FluidVolumes
-    share_outflow(const double outflow, const std::array<unsigned int, 2> &n)
+    /// How many of both fluids' particles come to a face next, side by side.
+    template <int dim>
+    std::array<unsigned int, 2>
+    next_ones(
+      const Face<dim>                                       &face,
+      const std::vector<typename Population<dim>::Iterator> &nearest_first)
     {
-      // Where nothing stands nothing but the second fluid can be missing.
-      const unsigned int sum  = n[0] + n[1];
-      const double       part = sum == 0 ? 0. : static_cast<double>(n[0]) / sum;
-      return {{part * outflow, (1. - part) * outflow}};
+      std::array<unsigned int, 2> n{};
+      const auto                  distance = [&](const auto &particle) {
+        return rounded(depth<dim>(face, particle->get_reference_location()));
+      };
+      for (const auto &particle : nearest_first)
+        if (distance(particle) <= distance(nearest_first[0]) + 1)
+          ++n[Population<dim>::fluid_of(particle->get_properties())];
+      return n;
+    }
+
+    /// Shares a volume among the fluids in proportion to @p parts.
+    template <typename Number>
+    FluidVolumes
+    share(const double volume, const std::array<Number, 2> &parts)
+    {
+      const double first =
+        parts[0] / (parts[0] + static_cast<double>(parts[1]));
+      return {{first * volume, (1. - first) * volume}};
     }
   } // namespace
 
@@ -101,37 +117,38 @@ namespace Thalweg
 
   template <int dim>
   void
-  BoundaryExchange<dim>::settle(Population<dim>   &population,
-                                const unsigned int face,
-                                const Departure   &departure,
-                                FluidVolumes      &out)
+  BoundaryExchange<dim>::settle(
+    std::vector<typename Population<dim>::Iterator> &nearest_first,
+    FaceAccount                                     &account,
+    FluidVolumes                                    &out)
   {
-    FluidVolumes &owed = accounts[face].owed;
-    if (owed == FluidVolumes())
-      return;
     std::array<bool, 2> is_there{};
-    for (auto particle :
-         nearest_first(population, boundary.passable_faces()[face]))
+    for (auto &particle : nearest_first)
       {
         auto               properties = particle->get_properties();
         const unsigned int f          = Population<dim>::fluid_of(properties);
         double            &volume = properties[Population<dim>::volume_offset];
+        const double       taken  = std::min(volume, account.owed[f]);
         is_there[f]               = true;
-        // Back comes no more than has just left.
-        const double taken = owed[f] > 0
-                               ? std::min(volume, owed[f])
-                               : std::max(owed[f], -departure.volumes[f]);
         volume -= taken;
-        owed[f] -= taken;
+        account.owed[f] -= taken;
         out[f] += taken;
       }
-    // What is wrong with the first fluid's part, when there is none of it, is
-    // the other's. Not so the other way around: water that is sprayed through
-    // air, and air in water, take each other's place, so that air can lack.
+    for (unsigned int f = 0; f < 2; ++f)
+      if (account.owed[f] < 0)
+        {
+          // The last of it left too soon: it will be the first to go.
+          account.waiting[f] -= account.owed[f];
+          out[f] += account.owed[f];
+          account.owed[f] = 0;
+        }
+    // It was not the first fluid that went out if there is none of it. Not so
+    // the other way around: water that is sprayed through air, and air in
+    // water, take each other's place, so that air can lack.
     if (!is_there[0])
       {
-        owed[1] += owed[0];
-        owed[0] = 0;
+        account.owed[1] += account.owed[0];
+        account.owed[0] = 0;
       }
   }
 
@@ -143,38 +160,41 @@ namespace Thalweg
                                  const ConvectionReport      &report,
                                  VolumeBooks                 &counted)
   {
-    std::vector<Departure> departures(fluxes.size());
+    std::vector<FluidVolumes> left(fluxes.size());
     for (const Exit &exit : report.exits)
-      {
-        auto &departure = departures[accounts.index(exit.cell, exit.face)];
-        departure.volumes[exit.fluid] += exit.volume;
-        ++departure.numbers[exit.fluid];
-      }
+      left[accounts.index(exit.cell, exit.face)][exit.fluid] += exit.volume;
     for (unsigned int i = 0; i < fluxes.size(); ++i)
       {
         const auto  &face    = boundary.passable_faces()[i];
         auto        &out     = counted.boundaries[face.id].out;
         FaceAccount &account = accounts[i];
         const double waiting = account.waiting[0] + account.waiting[1];
-        // What has just come in is the first to go.
+        const double all     = left[i][0] + left[i][1];
+        // What waits is the first to go.
         const double returned = std::min(fluxes[i].out, waiting);
-        for (unsigned int f = 0; f < 2 && returned > 0; ++f)
+        const double rest     = fluxes[i].out - returned - all;
+        if (returned > 0)
           {
-            const double part = returned * (account.waiting[f] / waiting);
-            account.waiting[f] -= part;
-            out[f] += part;
+            const auto parts = share(returned, account.waiting);
+            for (unsigned int f = 0; f < 2; ++f)
+              {
+                account.waiting[f] -= parts[f];
+                out[f] += parts[f];
+              }
           }
-        auto n = departures[i].numbers;
-        for (const auto &particle : population.handler().particles_in_cell(
-               population.mesh().graph().iterator(face.cell)))
-          ++n[Population<dim>::fluid_of(particle.get_properties())];
-        const auto shares = share_outflow(fluxes[i].out - returned, n);
         for (unsigned int f = 0; f < 2; ++f)
-          {
-            account.owed[f] += shares[f] - departures[i].volumes[f];
-            out[f] += departures[i].volumes[f];
-          }
-        settle(population, i, departures[i], out);
+          out[f] += left[i][f];
+        if (rest == 0 && account.owed == FluidVolumes())
+          continue;
+        auto         particles = nearest_first(population, face);
+        FluidVolumes parts{{0., rest}};
+        if (rest < 0 || (particles.empty() && all > 0))
+          parts = share(rest, left[i]);
+        else if (!particles.empty())
+          parts = share(rest, next_ones<dim>(face, particles));
+        for (unsigned int f = 0; f < 2; ++f)
+          account.owed[f] += parts[f];
+        settle(particles, account, out);
       }
   }
 

@@ -134,6 +134,57 @@ TEST(PopulationControlMpi, CrowdedCellsKeepTheMixtureOfFluids)
 }
 
 
+TEST(PopulationControlMpi, VolumeAndMomentumOutliveTheirParticles)
+{
+  Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
+  make_box(mesh, 4);
+  Thalweg::Population<2>     population(mesh);
+  Thalweg::SeedingParameters seeding;
+  seeding.particles_per_direction = 5;
+  seeding.jitter                  = .7;
+  Thalweg::seed(population,
+                seeding,
+                dealii::Functions::Monomial<2>(Tensor<1, 2>({1., 1.}), 2),
+                dealii::Functions::SignedDistance::Plane<2>(
+                  Point<2>(.4, .3), Tensor<1, 2>({.6, .8})),
+                [](const auto &cell) { return .3 * cell.measure; });
+  const auto sums = [&]() {
+    std::array<double, 4> sums{};
+    for (const auto &particle : population.handler())
+      {
+        const auto properties = particle.get_properties();
+        sums[Thalweg::Population<2>::fluid_of(properties)] += properties[3];
+        for (unsigned int d = 0; d < 2; ++d)
+          sums[2 + d] += properties[3] * properties[d];
+      }
+    for (double &sum : sums)
+      sum = dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
+    return sums;
+  };
+  const auto                             before = sums();
+  const Thalweg::StreamlineConvection<2> convection(mesh, {}, {});
+  Thalweg::PopulationParameters<2>       parameters;
+  parameters.maximum_per_cell = 7;
+  parameters.carry_volume     = true;
+  const Thalweg::PopulationControl<2> thin(parameters, convection, {});
+  EXPECT_GT(dealii::Utilities::MPI::sum(thin.limit(population), MPI_COMM_WORLD),
+            0u);
+  for (unsigned int i = 0; i < 4; ++i)
+    EXPECT_NEAR(sums()[i], before[i], 1e-14);
+
+  parameters.maximum_per_cell = 30;
+  parameters.minimum_per_cell = 20;
+  const Thalweg::PopulationControl<2> fill(parameters, convection, {});
+  fill.fill_empty_cells(population,
+                        nodal<2>(mesh,
+                                 [](const auto &) { return Tensor<1, 2>(); }),
+                        nodal_scalar<2>(mesh, [](const auto &) { return 1.; }),
+                        .1);
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_NEAR(sums()[i], before[i], 1e-14);
+}
+
+
 TEST(PopulationControl, BoundsThatContradictEachOtherAreRefused)
 {
   Thalweg::Mesh<2> mesh(MPI_COMM_SELF);

@@ -72,6 +72,47 @@ TEST(SeedingMpi, RegularParticlesTakeVelocityAndLevelSetFromFunctions)
 }
 
 
+TEST(SeedingMpi, ParticlesShareTheVolumesOfTheirCells)
+{
+  // A film of a tenth of a cell, which no particle of the lattice stands in.
+  Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
+  make_box(mesh, 4);
+  Thalweg::Population<2> population(mesh);
+  class Film : public dealii::Function<2>
+  {
+  public:
+    double
+    value(const Point<2> &p, const unsigned int = 0) const override
+    {
+      return p[1] - .025;
+    }
+  };
+  Thalweg::seed(population,
+                {},
+                dealii::Functions::ZeroFunction<2>(2),
+                Film(),
+                [](const Thalweg::CellGraph<2>::Cell &cell) {
+                  return cell.vertices[0][1] < .1 ? .025 * .25 : 0.;
+                });
+  EXPECT_EQ(population.n_global_particles(), 9u * 16u + 4u);
+  double volumes[2] = {0., 0.};
+  for (const auto &particle : population.handler())
+    {
+      const auto         properties = particle.get_properties();
+      const unsigned int fluid = Thalweg::Population<2>::fluid_of(properties);
+      EXPECT_GT(properties[3], 0.);
+      EXPECT_EQ(fluid == 0, particle.get_location()[1] < .025);
+      volumes[fluid] += properties[3];
+    }
+  EXPECT_NEAR(dealii::Utilities::MPI::sum(volumes[0], MPI_COMM_WORLD),
+              .025,
+              1e-15);
+  EXPECT_NEAR(dealii::Utilities::MPI::sum(volumes[1], MPI_COMM_WORLD),
+              .975,
+              1e-14);
+}
+
+
 TEST(SeedingMpi, NewIdsAreUniqueAndAboveThoseThatExist)
 {
   Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);

@@ -17,8 +17,10 @@ namespace Thalweg
    * All nodes around the interface of one body are shifted by the same
    * amount, so that a plane remains a plane, and by no more than half of the
    * shortest edge: what is lost farther away than that, the level set is not
-   * to invent. The rest, and what particles carry that no body is near, stays
-   * on the particles: the debt.
+   * to invent. The rest, and what particles carry that no body is near (spray),
+   * stays on the particles: the debt. Nor is it taken away where the level set
+   * shows it by itself: a body may have its own and the spray that it is the
+   * nearest to.
    */
   template <int dim>
   class VolumeCorrection
@@ -74,6 +76,12 @@ namespace Thalweg
       bool   is_done        = false;
     };
 
+    /// The bodies of fluid 0 that are nearest to the given owned cells,
+    /// counted in cells. Collective.
+    std::vector<int>
+    nearest_bodies(const FluidBodies<dim>          &bodies,
+                   const std::vector<unsigned int> &cells) const;
+
     void
     find_targets(const FluidBodies<dim> &bodies, const Carried &carried);
 
@@ -84,11 +92,20 @@ namespace Thalweg
 
     /// The pockets, or the bodies of fluid 0.
     std::vector<Goal>
-    choose(const FluidBodies<dim> &bodies, const bool pockets) const;
+    choose(const FluidBodies<dim>    &bodies,
+           const std::vector<double> &volumes,
+           const bool                 pockets) const;
 
     /// Which body each owned node is shifted for.
     void
     assign_nodes(const FluidBodies<dim> &bodies);
+
+    /// Finds the cells whose volumes shifts can change, and what the others
+    /// have.
+    void
+    find_active_cells(const FluidBodies<dim> &bodies,
+                      const Vector           &phi,
+                      const double            largest_shift);
 
     /// Finds the shifts of @p goals by regula falsi, all at once.
     void
@@ -104,6 +121,7 @@ namespace Thalweg
     const NodeSpace<dim>       &space;
     const BoundaryNodes<dim>   &boundary;
     double                      tolerance = 0; ///< m^dim
+    std::vector<double>         sprays;        ///< nearest to each body, m^dim
     std::vector<double>         targets;       ///< of all bodies
     std::vector<bool>           is_pocket;
     std::vector<int>            body_of_node;

@@ -18,10 +18,11 @@ namespace Thalweg
    * Particles are lumps; the flux is not. What flows in through a face waits
    * there until it fills a particle, which then starts from the face. What
    * flows out is taken from the particles in the order in which they come to
-   * the face, before they cross it; what one of them takes out beyond that is
-   * given back to those behind it. So the volume inside follows the flux to
-   * round-off in each step. Where both fluids go out, each does in proportion
-   * to its particles; what the particles before a face lack stays owed there.
+   * the face, before they cross it, from both fluids in proportion to those
+   * that come next; what one of them takes out beyond that is given back to
+   * those behind it, or waits at the face to go first. So the volume inside
+   * follows the flux to round-off in each step. What the particles before a
+   * face lack stays owed there.
    *
    * Where the velocity is given, the flux is that of the given function.
    * Those of open boundaries are scaled so that all fluxes together vanish.
@@ -80,13 +81,6 @@ namespace Thalweg
     keep(const Archive &archive);
 
   private:
-    /// The particles that left through a face in a step.
-    struct Departure
-    {
-      FluidVolumes                volumes{}; ///< m^dim
-      std::array<unsigned int, 2> numbers{};
-    };
-
     void
     let_out(Population<dim>             &population,
             const std::vector<FaceFlux> &fluxes,
@@ -94,11 +88,10 @@ namespace Thalweg
             VolumeBooks                 &counted);
 
     /// Settles with the particles before a face what is owed there.
-    void
-    settle(Population<dim>   &population,
-           const unsigned int face,
-           const Departure   &departure,
-           FluidVolumes      &out);
+    static void
+    settle(std::vector<typename Population<dim>::Iterator> &nearest_first,
+           FaceAccount                                     &account,
+           FluidVolumes                                    &out);
 
     /// Makes particles of what waits at a face, a row as it comes in.
     /// @param passed what of it came in during the step, m^dim

@@ -6,6 +6,18 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// How far from one the slope of a distance may be, by differences.
+    constexpr double like_a_distance = 1e-6;
+
+    /// Where the slope changes by this part of itself the function has an
+    /// edge.
+    constexpr double edge = .1;
+  } // namespace
+
+
+
   template <int dim>
   SignedDistance<dim>::SignedDistance(const dealii::Function<dim> &function,
                                       const double                 length)
@@ -41,16 +53,26 @@ namespace Thalweg
 
 
   template <int dim>
+  bool
+  SignedDistance<dim>::is_function(const dealii::Point<dim> &x) const
+  {
+    const Slope at = slope(x, function.value(x));
+    return std::abs(at.gradient.norm() - 1.) < like_a_distance ||
+           (at.roughest > edge * at.steepest &&
+            at.steepest < 1. + like_a_distance);
+  }
+
+
+
+  template <int dim>
   double
   SignedDistance<dim>::value(const dealii::Point<dim> &x,
                              const unsigned int) const
   {
-    constexpr double       like_a_distance = 1e-6;
-    constexpr double       edge            = .1;
-    constexpr unsigned int most_steps      = 50;
-    const double           phi             = function.value(x);
-    const Slope            first           = slope(x, phi);
-    const double           norm            = first.gradient.norm();
+    constexpr unsigned int most_steps = 50;
+    const double           phi        = function.value(x);
+    const Slope            first      = slope(x, phi);
+    const double           norm       = first.gradient.norm();
     if (phi == 0. || !std::isfinite(norm) || first.steepest == 0. ||
         std::abs(norm - 1.) < like_a_distance)
       return phi;

@@ -2,6 +2,7 @@
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/flux_balance.h>
 #include <thalweg/fields/interpolation.h>
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/interface/signed_distance.h>
 #include <thalweg/simulation/simulation_parts.h>
@@ -41,6 +42,21 @@ namespace Thalweg
       const dealii::Function<dim> &function;
       const bool                   sign_only;
     };
+
+
+
+    /// Whether the distance from where a function vanishes is anything else
+    /// than the function, in the middle of any cell.
+    template <int dim>
+    bool
+    is_no_distance(const SignedDistance<dim> &distance,
+                   const CellGraph<dim>      &graph)
+    {
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+        if (!distance.is_function(Q1::center<dim>(graph.cell(c))))
+          return true;
+      return false;
+    }
   } // namespace
 
 
@@ -231,8 +247,10 @@ namespace Thalweg
       dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
                                   context.communicator));
     const bool sign_only = parameters.particles_carry == "sign";
+    const bool searches  = parameters.particles_carry == "distance" &&
+                          is_no_distance(distance, mesh.graph());
     const dealii::Function<dim> &level_set =
-      parameters.particles_carry == "distance"
+      dealii::Utilities::MPI::max<unsigned int>(searches, context.communicator)
         ? static_cast<const dealii::Function<dim> &>(distance)
         : *expression;
     population.handler().clear_particles();

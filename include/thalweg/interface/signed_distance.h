@@ -29,6 +29,11 @@ namespace Thalweg
     value(const dealii::Point<dim> &x,
           const unsigned int        component = 0) const override;
 
+    /// Whether the function itself is a distance as far as its slope at @p x
+    /// tells; on an edge of the function it may be.
+    bool
+    is_function(const dealii::Point<dim> &x) const;
+
   private:
     /// Differences to both sides of a point.
     struct Slope

@@ -39,7 +39,7 @@ namespace Thalweg
     template <int dim>
     Flux
     integrate(const dealii::FEFaceValues<dim>   &values,
-              const dealii::FunctionParser<dim> &velocity)
+              const dealii::Function<dim> &velocity)
     {
       Flux                   flux;
       dealii::Vector<double> u(dim);

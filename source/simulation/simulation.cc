@@ -2,7 +2,6 @@
 #include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/frame_record.h>
-#include <thalweg/simulation/missing_fluid.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
@@ -162,32 +161,6 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::announce()
-  {
-    context.log.line(
-      std::to_string(mesh.triangulation().n_global_active_cells()) +
-      " cells, " + std::to_string(parts->nodes().n_dofs()) +
-      " degrees of freedom, " +
-      std::to_string(parts->particles().n_global_particles()) +
-      " particles on " +
-      std::to_string(
-        dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
-      " processes");
-    const std::string warning = parameters.time.warning(viscous);
-    if (!warning.empty())
-      context.log.warning(warning);
-    std::string missing;
-    if (!context.resumed && parameters.method->computes_flow())
-      missing = missing_fluid(parts->particles(), parameters.fluids);
-    if (!missing.empty())
-      context.log.warning(missing);
-    announce_volumes();
-  }
-
-
-
-  template <int dim>
-  void
   Simulation<dim>::postprocess()
   {
     dealii::TimerOutput::Scope scope(context.timers, "postprocessing");
@@ -272,7 +245,7 @@ namespace Thalweg
                   << " It is repeated with half the size, " << dt << " s.";
           context.log.warning(message.str());
         }
-    last_dt = dt;
+    last_dt   = dt;
     wanted_dt = dt == plan.size ? plan.wanted : dt;
     time      = dt == plan.size ? plan.end : time + dt;
     ++step;

@@ -1,3 +1,5 @@
+// What Simulation says before the first step, and what it checks in each.
+#include <thalweg/simulation/missing_fluid.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
@@ -5,6 +7,31 @@
 
 namespace Thalweg
 {
+  template <int dim>
+  void
+  Simulation<dim>::announce()
+  {
+    context.log.line(
+      std::to_string(mesh.triangulation().n_global_active_cells()) +
+      " cells, " + std::to_string(parts->nodes().n_dofs()) +
+      " degrees of freedom, " +
+      std::to_string(parts->particles().n_global_particles()) +
+      " particles on " +
+      std::to_string(
+        dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
+      " processes");
+    const std::string warning = parameters.time.warning(viscous);
+    if (!warning.empty())
+      context.log.warning(warning);
+    std::string missing;
+    if (!context.resumed && parameters.method->computes_flow())
+      missing = missing_fluid(parts->particles(), parameters.fluids);
+    if (!missing.empty())
+      context.log.warning(missing);
+  }
+
+
+
   template <int dim>
   void
   Simulation<dim>::check_courant_number(const double courant_number) const
@@ -23,6 +50,10 @@ namespace Thalweg
 
 
 
+  template void
+  Simulation<2>::announce();
+  template void
+  Simulation<3>::announce();
   template void
   Simulation<2>::check_courant_number(const double) const;
   template void

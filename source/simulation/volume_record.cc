@@ -1,21 +1,8 @@
-// What Simulation says and writes of the fluids' volumes.
+// What Simulation writes of the fluids' volumes.
 #include <thalweg/simulation/simulation.h>
 
 namespace Thalweg
 {
-  template <int dim>
-  void
-  Simulation<dim>::announce_volumes()
-  {
-    if (parameters.fluids.size() == 1 || context.resumed)
-      return;
-    for (const std::string &warning :
-         VolumeWatch::at_start(parameters.fluids, parts->carried_volumes()))
-      context.log.warning(warning);
-  }
-
-
-
   template <int dim>
   void
   Simulation<dim>::record_volumes()
@@ -51,10 +38,6 @@ namespace Thalweg
 
 
 
-  template void
-  Simulation<2>::announce_volumes();
-  template void
-  Simulation<3>::announce_volumes();
   template void
   Simulation<2>::record_volumes();
   template void

@@ -42,23 +42,6 @@ namespace Thalweg
 
 
   std::vector<std::string>
-  VolumeWatch::at_start(const Fluids                &fluids,
-                        const std::array<double, 2> &carried)
-  {
-    std::vector<std::string> warnings;
-    for (unsigned int f = 0; f < 2; ++f)
-      if (!(carried[f] > 0))
-        warnings.push_back(
-          "There is no " + fluids[f].name +
-          " at the start: 'Initial conditions/Level set' is " +
-          (f == 0 ? "nowhere negative" : "negative everywhere") +
-          ". That is right only if it is to come in through a boundary.");
-    return warnings;
-  }
-
-
-
-  std::vector<std::string>
   VolumeWatch::after_step(const Fluids &fluids, const State &state)
   {
     std::vector<std::string> warnings;

@@ -16,20 +16,6 @@ namespace
 
 
 
-TEST(VolumeWatch, AFluidThatIsNotThereIsNamed)
-{
-  const Fluids fluids;
-  EXPECT_TRUE(VolumeWatch::at_start(fluids, {{1., 1.}}).empty());
-  const auto no_water = VolumeWatch::at_start(fluids, {{0., 1.}});
-  ASSERT_EQ(no_water.size(), 1u);
-  EXPECT_NE(no_water[0].find("no water"), std::string::npos);
-  const auto no_air = VolumeWatch::at_start(fluids, {{1., 0.}});
-  ASSERT_EQ(no_air.size(), 1u);
-  EXPECT_NE(no_air[0].find("no air"), std::string::npos);
-}
-
-
-
 TEST(VolumeWatch, WarnsAboveOnePercentAndAgainWhenItHasDoubled)
 {
   const Fluids fluids;

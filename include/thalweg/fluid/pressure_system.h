@@ -173,6 +173,10 @@ namespace Thalweg
                       const EnrichedPressure *pressure,
                       std::vector<double>    &star_residual);
 
+    /// Lets the owned nodes where the pressure is given be zero.
+    void
+    remove_given(Vector &vector) const;
+
     /// increment = matrix^{-1} residual, with another smoother in the
     /// multigrid hierarchy if the usual one does not serve.
     SolveReport

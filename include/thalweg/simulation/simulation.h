@@ -121,10 +121,6 @@ namespace Thalweg
     void
     record();
 
-    /// Warns of fluids that are not there before the first step.
-    void
-    announce_volumes();
-
     /// What there is of both fluids, on particles and on the mesh.
     void
     record_volumes();

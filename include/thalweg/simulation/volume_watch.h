@@ -34,10 +34,6 @@ namespace Thalweg
       double debt;
     };
 
-    /// What to say of the volumes at the start.
-    static std::vector<std::string>
-    at_start(const Fluids &fluids, const std::array<double, 2> &carried);
-
     /// What to say after a step.
     std::vector<std::string>
     after_step(const Fluids &fluids, const State &state);

@@ -173,28 +173,32 @@ namespace Thalweg
 
 
   template <int dim>
-  bool
-  ends_near(const std::vector<Facet<dim>> &facets, const dealii::Point<dim> &x)
+  double
+  distance_beyond_end(const std::vector<Facet<dim>> &facets,
+                      const dealii::Point<dim>      &x)
   {
     constexpr double round_off = 1e-9;
-    double           nearest   = std::numeric_limits<double>::infinity();
+    constexpr double infinity  = std::numeric_limits<double>::infinity();
+    double           nearest   = infinity;
     for (const auto &facet : facets)
       for (unsigned int i = 0; i < dim; ++i)
         nearest = std::min(nearest, distance_from_side(facet, i, x));
+    const double tolerance = round_off * nearest;
+    const auto   is_shared = [&](const unsigned int f, const unsigned int i) {
+      for (unsigned int g = 0; g < facets.size(); ++g)
+        for (unsigned int j = 0; j < dim && g != f; ++j)
+          if (is_same_side(facets[f], i, facets[g], j, tolerance))
+            return true;
+      return false;
+    };
+    double distance = infinity;
     for (unsigned int f = 0; f < facets.size(); ++f)
       for (unsigned int i = 0; i < dim; ++i)
-        if (distance_from_side(facets[f], i, x) <= (1. + round_off) * nearest)
-          {
-            const double tolerance = round_off * nearest;
-            bool         is_shared = false;
-            for (unsigned int g = 0; g < facets.size() && !is_shared; ++g)
-              for (unsigned int j = 0; j < dim && g != f; ++j)
-                is_shared = is_shared ||
-                            is_same_side(facets[f], i, facets[g], j, tolerance);
-            if (!is_shared)
-              return true;
-          }
-    return false;
+        if (((facets[f].open_sides >> i) & 1u) == 0 &&
+            distance_from_side(facets[f], i, x) <= nearest + tolerance &&
+            !is_shared(f, i))
+          distance = std::min(distance, distance_from_plane(facets[f], x));
+    return distance;
   }
 
 
@@ -204,8 +208,8 @@ namespace Thalweg
                                        const dealii::Point<dim> &);            \
   template double        distance_from_plane<dim>(const Facet<dim> &,          \
                                            const dealii::Point<dim> &); \
-  template bool          ends_near<dim>(const std::vector<Facet<dim>> &,       \
-                               const dealii::Point<dim> &);
+  template double distance_beyond_end<dim>(const std::vector<Facet<dim>> &,    \
+                                           const dealii::Point<dim> &);
   THALWEG_INSTANTIATE_FACET(2)
   THALWEG_INSTANTIATE_FACET(3)
 #undef THALWEG_INSTANTIATE_FACET

@@ -76,8 +76,9 @@ namespace Thalweg
 
 
     /// Where the two rings of cells around a node end before the contour does,
-    /// what is nearest in them is too far away. It cannot be nearer than the
-    /// planes of the facets there; in between the projected level set decides.
+    /// what is nearest in them is too far away. If the projected level set
+    /// there is the distance from the plane of the facets at that end, the
+    /// contour goes on in it.
     template <int dim>
     double
     beyond_the_end(const std::vector<Facet<dim>> &facets,
@@ -85,12 +86,11 @@ namespace Thalweg
                    const double                   distance,
                    const double                   projected)
     {
-      if (!ends_near(facets, x))
-        return distance;
-      double least = distance;
-      for (const auto &facet : facets)
-        least = std::min(least, distance_from_plane(facet, x));
-      return std::clamp(std::abs(projected), least, distance);
+      constexpr double round_off = 1e-9;
+      const double     beyond    = distance_beyond_end<dim>(facets, x);
+      return std::abs(std::abs(projected) - beyond) <= round_off * distance
+               ? std::min(beyond, distance)
+               : distance;
     }
   } // namespace
 

@@ -43,14 +43,15 @@ namespace Thalweg
   distance_from_plane(const Facet<dim> &facet, const dealii::Point<dim> &x);
 
   /**
-   * @brief Whether a surface ends where it is nearest to a point.
+   * @brief The distance of @p x from the planes of those facets at whose sides
+   * a surface ends within the domain; infinite if it does not.
    * @param facets those that are nearest to @p x, all as far away, at their
-   *   sides
-   * @return whether one of these sides is not that of two facets
+   *   sides; it ends at a side that is not that of two facets
    */
   template <int dim>
-  bool
-  ends_near(const std::vector<Facet<dim>> &facets, const dealii::Point<dim> &x);
+  double
+  distance_beyond_end(const std::vector<Facet<dim>> &facets,
+                      const dealii::Point<dim>      &x);
 
   /**
    * @brief A lower bound of distance() for facets without open sides, 0 for

@@ -145,8 +145,15 @@ namespace Thalweg
         fluids.push_back(static_cast<std::uint64_t>(label) % 2);
       }
     bodies.resize(labels.size());
+    auto found = numbers.begin();
     for (unsigned int n = 0; n < labels.size(); ++n)
-      bodies[n] = numbers.at(2. * labels[n] + fluid_of_node[n]);
+      {
+        const double label = 2. * labels[n] + fluid_of_node[n];
+        // Most nodes have the same as those before them.
+        if (found->first != label)
+          found = numbers.find(label);
+        bodies[n] = found->second;
+      }
   }
 
 

@@ -207,12 +207,17 @@ namespace Thalweg
         const auto shift  = in_cell(space, c, field);
         for (unsigned int v = 0; v < values.size(); ++v)
           values[v] += shift[v];
-        const double negative = negative_volume<dim>(graph.cell(c), values);
+        const auto [least, most] =
+          std::minmax_element(values.begin(), values.end());
+        const double measure  = graph.cell(c).measure;
+        double       negative = *most <= 0 ? measure : 0.;
+        if (*least < 0 && *most > 0)
+          negative = negative_volume<dim>(graph.cell(c), values);
         const int water = bodies.near_cell(c, 0), air = bodies.near_cell(c, 1);
         if (water != FluidBodies<dim>::none)
           sums[water] += negative;
         if (air != FluidBodies<dim>::none)
-          sums[air] += graph.cell(c).measure - negative;
+          sums[air] += measure - negative;
       }
     for (unsigned int b = 0; b < sums.size(); ++b)
       sums[b] += passive_volumes[b];
@@ -334,20 +339,22 @@ namespace Thalweg
       ++counts[bodies.fluid(b)];
     find_active_cells(bodies, phi, largest_shift);
     body_of_node.assign(space.scalar_layout().locally_owned_size(), -1);
-    const auto before = volumes(bodies, phi);
-    mark_pockets(bodies, before);
+    auto now = volumes(bodies, phi);
+    mark_pockets(bodies, now);
     assign_nodes(bodies);
 
     for (const bool pockets : {true, false})
       {
-        auto goals = choose(bodies, volumes(bodies, phi), pockets);
+        auto goals = choose(bodies, now, pockets);
+        if (goals.empty())
+          continue;
         reach(goals, bodies, phi, largest_shift);
+        now = volumes(bodies, phi);
       }
-    const auto after = volumes(bodies, phi);
-    largest          = 0;
+    largest = 0;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        debts[bodies.fluid(b)] -= after[b];
+        debts[bodies.fluid(b)] -= now[b];
         if (std::abs(shifts[b]) > std::abs(largest))
           largest = shifts[b];
       }

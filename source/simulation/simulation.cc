@@ -3,6 +3,7 @@
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/frame_record.h>
 #include <thalweg/simulation/simulation.h>
+#include <thalweg/simulation/statistics_columns.h>
 
 #include <cmath>
 #include <csignal>
@@ -10,53 +11,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// How the statistics begin; behind these stand the columns of the solver
-    /// and the wall times.
-    const std::vector<std::string> leading_columns{
-      "step",
-      "time [s]",
-      "dt [s]",
-      "Courant number",
-      "Fourier number",
-      "cells",
-      "dofs",
-      "particles",
-      "particles added",
-      "particles removed",
-      "particles left",
-      "particles lost",
-      "particles lost in all",
-      "volume 1 before shift [m^d]",
-      "volume 1 [m^d]",
-      "volume 2 [m^d]",
-      "target volume 1 [m^d]",
-      "correction of volume 1 [m^d]",
-      "debt of volume 1 [m^d]",
-      "carried volume 1 [m^d]",
-      "carried volume 2 [m^d]",
-      "volume 1 in [m^d]",
-      "volume 1 out [m^d]",
-      "volume 2 in [m^d]",
-      "volume 2 out [m^d]",
-      "volume 1 lost [m^d]",
-      "volume 2 lost [m^d]",
-      "volume 1 owed [m^d]",
-      "volume 2 owed [m^d]",
-      "level set shift",
-      "velocity time [s]",
-      "kinetic energy [J]",
-      "potential energy [J]",
-      "momentum x [kg m/s]",
-      "momentum y [kg m/s]",
-      "momentum z [kg m/s]",
-      "max velocity 1 [m/s]",
-      "max velocity 2 [m/s]"};
-  } // namespace
-
-
-
   template <int dim>
   Simulation<dim>::Simulation(const MPI_Comm             communicator,
                               SimulationParameters<dim> &parameters,
@@ -257,7 +211,7 @@ namespace Thalweg
   void
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
-    context.statistics.declare(leading_columns);
+    context.statistics.declare(leading_columns());
     if (context.is_root && !context.output_directory.empty())
       context.statistics.open(context.output_directory + "/statistics.csv",
                               context.resumed);

@@ -151,14 +151,16 @@ namespace Thalweg
           const unsigned int node = space.nodes(c)[v];
           const auto        &x = graph.cell(c).vertices[v];
           demands[node].position = x;
-          demands[node].add(id,
-                            kind,
-                            weighted_normal<dim>(graph.cell(c),
-                                                 f,
-                                                 Geometry::unit_cell_vertex(v)),
-                            center - x);
+          const auto normal =
+            weighted_normal<dim>(graph.cell(c),
+                                 f,
+                                 Geometry::unit_cell_vertex(v));
+          demands[node].add(id, kind, normal, center - x);
           if (kind == BoundaryKind::open)
-            pressures[node] = {node, x, id};
+            {
+              const auto sum = pressures[node].normal + normal;
+              pressures[node] = {node, x, id, sum};
+            }
         }
     };
     for_each_boundary_face(graph, add_face);

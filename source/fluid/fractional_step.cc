@@ -224,13 +224,32 @@ namespace Thalweg
 
   template <int dim>
   void
+  FractionalStep<dim>::apply_open_boundary()
+  {
+    p.nodal.zero_out_ghost_values();
+    pressure_system->apply_open_boundary(p.nodal);
+    for (const auto &node : boundary->pressure_nodes())
+      if (node.node < p.nodal.locally_owned_size())
+        {
+          dealii::Tensor<1, dim> velocity;
+          for (unsigned int d = 0; d < dim; ++d)
+            velocity[d] = v.local_element(dim * node.node + d);
+          if (velocity * node.normal < 0)
+            p.nodal.local_element(node.node) -=
+              .5 * mass->density(node.node) * velocity.norm_square();
+        }
+    space->interpolate(p.nodal, 1);
+  }
+
+
+
+  template <int dim>
+  void
   FractionalStep<dim>::balance_forces(const double duration)
   {
     dealii::TimerOutput::Scope scope(context->timers, "pressure");
     // The last step's pressure is the initial guess.
-    p.nodal.zero_out_ghost_values();
-    pressure_system->apply_open_boundary(p.nodal);
-    space->interpolate(p.nodal, 1);
+    apply_open_boundary();
     p.star.assign(phase->cut_cells().size(), 0.);
     const SolveReport report = pressure_system->correct(
       rate_of_change, true, p, pressure_tolerance, maximal_cg_iterations);

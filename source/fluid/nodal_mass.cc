@@ -19,8 +19,17 @@ namespace Thalweg
           for (unsigned int d = 0; d < dim; ++d)
             table[i][j] *= ((i ^ j) >> d) & 1u ? 1. / 6. : 1. / 3.;
         }
+    space.initialize_scalar(measure);
     space.initialize_scalar(mass);
     space.initialize_velocity(difference);
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto local = integrals.node_measures(graph.cell(c));
+        for (unsigned int i = 0; i < local.size(); ++i)
+          measure.local_element(space.nodes(c)[i]) += local[i];
+      }
+    space.fold(measure, 1);
   }
 
 

@@ -79,6 +79,7 @@ namespace Thalweg
       unsigned int               node;
       dealii::Point<dim>         position;
       dealii::types::boundary_id id;
+      dealii::Tensor<1, dim>     normal; ///< outward, not of length one
     };
 
     /// The nodes, owned and ghost, at open boundaries.

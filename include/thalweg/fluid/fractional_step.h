@@ -68,6 +68,16 @@ namespace Thalweg
     void
     add_force_density();
 
+    /**
+     * The pressure at open boundaries. Where fluid comes in it has been at rest
+     * outside, so that what is given is its total pressure, and rho |V|^2 / 2
+     * is spent on its velocity. Without this a flow that turns round at an
+     * open side gets its energy anew each time, and air above a splash is blown
+     * up to any velocity.
+     */
+    void
+    apply_open_boundary();
+
     /// The pressure of the rate of change and the body forces, and v with it.
     void
     balance_forces(const double duration);

@@ -43,6 +43,14 @@ namespace Thalweg
       return mass;
     }
 
+    /// The mean density around an owned node that depends on no others,
+    /// kg/m^dim.
+    double
+    density(const unsigned int node) const
+    {
+      return mass.local_element(node) / measure.local_element(node);
+    }
+
     /**
      * @brief From nodal forces to accelerations. Collective.
      * @param vector in: int N_i f, N, folded; out: m/s^2, ghosted and
@@ -77,7 +85,8 @@ namespace Thalweg
     const BoundaryNodes<dim> &boundary;
     const PhaseField<dim>    &phase;
     Q1Integrals<dim>          integrals;
-    CellMatrix                table; ///< int N_i N_j over the reference cell
+    CellMatrix                table;   ///< int N_i N_j over the reference cell
+    Vector                    measure; ///< int N_i
     Vector                    mass;
     mutable Vector            difference;
   };

@@ -13,14 +13,15 @@ namespace Thalweg
   InterfaceParameters::declare(const Section &root)
   {
     const Section section = root.enter("Interface");
-    section.add("Hold volume",
-                hold_volume,
-                "",
-                "Shift the level set so that each connected body of the first "
-                "fluid, and each pocket of the second that has no way out, has "
-                "the volume that its particles carry; by no more than half of "
-                "the shortest edge. The statistics show the volume before and "
-                "after, and what is left on the particles.");
+    section.add(
+      "Hold volume",
+      hold_volume,
+      "",
+      "Shift the level set so that each connected body of the first "
+      "fluid, and each pocket of the second that has no way out, has "
+      "the volume that its particles carry; by no more than a quarter "
+      "of the shortest edge. The statistics show the volume before and "
+      "after, and what is left on the particles.");
     section.add("Redistance",
                 redistance,
                 "",
@@ -205,7 +206,7 @@ namespace Thalweg
   {
     const double length =
       parameters.redistance ? shortest_edge : phi.linfty_norm();
-    correction->apply(phi, carried(), .5 * length);
+    correction->apply(phi, carried(), .25 * length);
     last_shift = correction->shift();
     debts      = correction->debt();
   }

@@ -15,8 +15,8 @@ namespace Thalweg
    * that the particles in and beside it carry.
    *
    * All nodes around the interface of one body are shifted by the same
-   * amount, so that a plane remains a plane, and by no more than half of the
-   * shortest edge: what is lost farther away than that, the level set is not
+   * amount, so that a plane remains a plane, and by no more than the given
+   * bound: what is lost farther away than that, the level set is not
    * to invent. The rest, and what particles carry that no body is near (spray),
    * stays on the particles: the debt. Nor is it taken away where the level set
    * shows it by itself: a body may have its own and the spray that it is the

@@ -72,7 +72,7 @@ namespace Thalweg
     space->initialize_velocity(force);
     space->initialize_velocity(change);
     space->initialize_velocity(before_friction);
-    space->initialize_velocity(rate_of_change);
+    space->initialize_velocity(deflected);
     space->initialize_velocity(v);
   }
 
@@ -151,12 +151,11 @@ namespace Thalweg
     change.sadd(-1., 1., v);
     turn(deflection, change);
     change.add(-1., v);
-    boundary->project(change);
     v.zero_out_ghost_values();
     v.add(1., change);
-    rate_of_change.zero_out_ghost_values();
-    rate_of_change.add(1. / duration, change);
-    space->interpolate(rate_of_change, dim);
+    deflected.zero_out_ghost_values();
+    deflected.equ(1. / duration, change);
+    space->interpolate(deflected, dim);
   }
 
 
@@ -245,14 +244,18 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::balance_forces(const double duration)
+  FractionalStep<dim>::balance_forces(const Vector &rate, const double duration)
   {
     dealii::TimerOutput::Scope scope(context->timers, "pressure");
     // The last step's pressure is the initial guess.
     apply_open_boundary();
     p.star.assign(phase->cut_cells().size(), 0.);
+    if (forces->is_rotating())
+      pressure_system->add_acceleration(1., deflected);
     const SolveReport report = pressure_system->correct(
-      rate_of_change, true, p, pressure_tolerance, maximal_cg_iterations);
+      rate, true, p, pressure_tolerance, maximal_cg_iterations);
+    if (forces->is_rotating())
+      pressure_system->add_acceleration(-1., deflected);
     context->statistics.add("pressure iterations", report.iterations);
     context->statistics.set("pressure residual", report.residual);
     accelerate(p, true, duration);
@@ -336,14 +339,12 @@ namespace Thalweg
     }
     change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);
-    rate_of_change.copy_locally_owned_data_from(rate);
-    space->interpolate(rate_of_change, dim);
     if (forces->is_rotating())
       deflect(duration);
     boundary->apply(v);
     space->interpolate(v, dim);
 
-    balance_forces(duration);
+    balance_forces(rate, duration);
     before_friction.copy_locally_owned_data_from(v);
     bool has_friction = false;
     {

@@ -105,7 +105,8 @@ tight_solver(const std::string &pressure, const std::string &velocity)
                  {},
                  section("fractional step",
                          {"Pressure tolerance = " + pressure,
-                          "Velocity tolerance = " + velocity}));
+                          "Velocity tolerance = " + velocity,
+                          "Divergence tolerance = 1e-9"}));
 }
 
 #endif

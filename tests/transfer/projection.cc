@@ -179,9 +179,10 @@ TYPED_TEST(ProjectionMpi, KeepsTheTotalMomentum)
 TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
 {
   // Light and heavy particles in turn along one direction of a mesh whose
-  // nodes see as many of both: velocities 1 and 0.
+  // nodes see as many of both: velocities 1 and 0. Beside the ends it is not
+  // the mean alone.
   constexpr int     dim = TypeParam::value;
-  Scene<dim>        scene(unit_box<dim>(4) + two_fluids(9., 1.));
+  Scene<dim>        scene(unit_box<dim>(8) + two_fluids(9., 1.));
   SeedingParameters parameters;
   parameters.particles_per_direction = 2;
   seed(*scene.population,
@@ -189,7 +190,7 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
        dealii::Functions::ZeroFunction<dim>(dim),
        dealii::Functions::ConstantFunction<dim>(1.));
   set_particles(scene, [](const auto &x, const auto &properties) {
-    const bool heavy = std::lround(std::floor(8. * x[0])) % 2 == 0;
+    const bool heavy = std::lround(std::floor(16. * x[0])) % 2 == 0;
     properties[0]    = heavy ? 1. : 0.;
     properties[dim]  = heavy ? -1. : 1.;
   });
@@ -202,7 +203,8 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
   scene.for_each_node([&](const unsigned int n, const auto &p) {
     if (on_side_of_unit_box<dim>(p))
       return;
-    EXPECT_NEAR(velocity.local_element(dim * n), .9, 1e-12);
+    if (std::abs(p[0] - .5) < .3)
+      EXPECT_NEAR(velocity.local_element(dim * n), .9, 1e-12);
     EXPECT_NEAR(level_set.local_element(n), 0., 1e-12);
   });
 }

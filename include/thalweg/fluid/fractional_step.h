@@ -78,9 +78,9 @@ namespace Thalweg
     void
     apply_open_boundary();
 
-    /// The pressure of the rate of change and the body forces, and v with it.
+    /// The pressure of @p rate and the body forces, and v with it.
     void
-    balance_forces(const double duration);
+    balance_forces(const Vector &rate, const double duration);
 
     /// Multiplies the owned nodes' vectors by a matrix.
     void
@@ -92,8 +92,8 @@ namespace Thalweg
      * against V^{n+1} it has what the pressure is to take away. So
      * V^{n+1} = D (V* - dt Omega x V^n) + D dt a, D = (1 + dt Omega x)^{-1}.
      * This makes the first term in place of V*, which is in v, with V^n in
-     * @ref change, adds the difference to the rate of change, and makes D for
-     * accelerate().
+     * @ref change, lets the pressure balance the difference as it does forces,
+     * and makes D for accelerate().
      */
     void
     deflect(const double duration);
@@ -137,7 +137,7 @@ namespace Thalweg
     Vector                                force;
     Vector                                change;
     Vector                                before_friction;
-    Vector                                rate_of_change;
+    Vector                                deflected; ///< m/s^2
     Vector                                v;
     EnrichedPressure                      p;
     EnrichedPressure                      dp;

@@ -73,6 +73,16 @@ namespace Thalweg
       return field;
     }
 
+    /// Adds @p factor times a nodal acceleration to what the next solve with
+    /// forces balances. @param other ghosted and consistent, m/s^2
+    void
+    add_acceleration(const double factor, const Vector &other)
+    {
+      field.zero_out_ghost_values();
+      field.add(factor, other);
+      space.interpolate(field, dim);
+    }
+
     /**
      * @brief Solves for the increment that @p pressure lacks and adds it.
      * @param rate ghosted, m/s^2

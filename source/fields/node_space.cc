@@ -1,6 +1,7 @@
 #include <thalweg/fields/node_space.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Thalweg
@@ -32,6 +33,24 @@ namespace Thalweg
     for (unsigned int c = 0; c < graph.n_cells(); ++c)
       for (unsigned int v = 0; v < n_vertices; ++v)
         node_positions[vertex_nodes[c][v]] = graph.cell(c).vertices[v];
+    ask_for_positions();
+  }
+
+
+
+  template <int dim>
+  void
+  NodeSpace<dim>::ask_for_positions()
+  {
+    Vector positions;
+    initialize_velocity(positions);
+    for (unsigned int i = 0; i < positions.locally_owned_size(); ++i)
+      positions.local_element(i) = node_positions[i / dim][i % dim];
+    positions.update_ghost_values();
+    for (unsigned int n = 0; n < node_positions.size(); ++n)
+      if (std::isnan(node_positions[n][0]))
+        for (unsigned int d = 0; d < dim; ++d)
+          node_positions[n][d] = positions.local_element(dim * n + d);
   }
 
 

@@ -73,8 +73,11 @@ namespace Thalweg
     const double           phi        = function.value(x);
     const Slope            first      = slope(x, phi);
     const double           norm       = first.gradient.norm();
-    if (phi == 0. || !std::isfinite(norm) || first.steepest == 0. ||
-        std::abs(norm - 1.) < like_a_distance)
+    if (phi == 0. || !std::isfinite(norm) || first.steepest == 0.)
+      return phi;
+    // A slope of one at one place alone may be by chance.
+    if (std::abs(norm - 1.) < like_a_distance &&
+        is_function(x - .5 * phi * first.gradient))
       return phi;
     if (first.roughest > edge * first.steepest)
       return phi / std::max(1., first.steepest);

@@ -2,6 +2,8 @@
 #include <thalweg/mesh/cell_graph.h>
 #include <thalweg/mesh/mesh_partition.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
@@ -163,6 +165,16 @@ namespace Thalweg
     for (unsigned int c = 0; c < n_owned; ++c)
       for (unsigned int f = 0; f < n_faces; ++f)
         cells[c].faces[f] = face_behind(iterators[c], f);
+    // A rank may have a hanging node that depends on one behind a periodic
+    // boundary, but none of the faces there.
+    for (const auto &others :
+         dealii::Utilities::MPI::all_gather(tria.get_communicator(), offsets))
+      for (const auto &offset : others)
+        if (std::none_of(
+              offsets.begin(), offsets.end(), [&offset](const auto &known) {
+                return (known - offset).norm() <= 1e-6 * offset.norm();
+              }))
+          offsets.push_back(offset);
   }
 
 

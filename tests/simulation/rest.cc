@@ -222,9 +222,10 @@ TEST(Rest, PlanesStayAtRest3d)
 
 TEST(Rest, WithoutEnrichmentItMoves)
 {
-  EXPECT_GT(largest_velocity<2>(
-              rest<2>(box_of("10, 10", "0"), tilted(0.), 20, "y - 0.45") +
-              section("Interface", {"Enrichment = none"})),
+  // What would be the same in each column of cells does not move a level
+  // surface.
+  EXPECT_GT(largest_velocity<2>(rest<2>(box_of("10, 10", "0"), tilted(17.)) +
+                                section("Interface", {"Enrichment = none"})),
             1e-3);
 }
 

@@ -57,8 +57,8 @@ namespace Thalweg
       return entry == hanging.end() ? std::make_pair(0u, 0u) : entry->second;
     }
 
-    /// The position of a node of a local cell; not a number for those that
-    /// only constraints reach.
+    /// The position of a node that this rank knows; behind a periodic boundary
+    /// it may be that of an image.
     const dealii::Point<dim> &
     position(const unsigned int node) const
     {
@@ -82,6 +82,11 @@ namespace Thalweg
     }
 
   private:
+    /// Takes the positions of nodes that only constraints reach from their
+    /// owners. Collective.
+    void
+    ask_for_positions();
+
     std::vector<std::array<unsigned int, n_vertices>> vertex_nodes;
     std::vector<dealii::Point<dim>>                   node_positions;
     std::unordered_map<unsigned int, std::pair<unsigned int, unsigned int>>

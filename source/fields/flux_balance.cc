@@ -38,8 +38,8 @@ namespace Thalweg
 
     template <int dim>
     Flux
-    integrate(const dealii::FEFaceValues<dim>   &values,
-              const dealii::Function<dim> &velocity)
+    integrate(const dealii::FEFaceValues<dim> &values,
+              const dealii::Function<dim>     &velocity)
     {
       Flux                   flux;
       dealii::Vector<double> u(dim);

@@ -3,7 +3,6 @@
 #include <thalweg/mesh/mesh_partition.h>
 
 #include <deal.II/base/mpi.h>
-
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>

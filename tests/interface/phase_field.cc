@@ -110,4 +110,3 @@ TYPED_TEST(PhaseFieldMpi, OneFluidFillsEverything)
   EXPECT_NEAR(scene.phase->volume(), 1., 1e-12);
   EXPECT_TRUE(scene.phase->cut_cells().empty());
 }
-

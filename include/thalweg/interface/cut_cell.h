@@ -30,9 +30,9 @@ namespace Thalweg
 
     unsigned int cell; ///< in the graph
 
-    PerVertex<double>            mass;    ///< int rho N_i
+    PerVertex<double>            mass;        ///< int rho N_i
     PerVertex<PerVertex<double>> mass_matrix; ///< int rho N_i N_j
-    PerVertex<PerVertex<double>> laplace; ///< int grad N_i . grad N_j / rho
+    PerVertex<PerVertex<double>> laplace;     ///< int grad N_i . grad N_j / rho
     PerVertex<dealii::Tensor<1, dim>> gradient; ///< int grad N_i / rho
 
     bool              enriched = false;

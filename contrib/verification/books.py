@@ -92,7 +92,7 @@ def verify(runner, report, reduced):
     runs = {(name, n, courant): runner.start(
         "fill_tank", f"{name}_{n}_{courant}".replace(" ", "_"),
         settings(name, n, courant))
-        for name in names for n in ((10,) if reduced else (10, 20))
+        for name in names for n in ((20,) if reduced else (10, 20))
         for courant in ((2.,) if reduced else COURANT)}
     rows = []
     for (name, n, courant), output in finished(report, runs):

@@ -167,9 +167,8 @@ namespace Thalweg
 
   template <int dim>
   std::vector<typename VolumeCorrection<dim>::Goal>
-  VolumeCorrection<dim>::choose(const FluidBodies<dim>    &bodies,
-                                const std::vector<double> &volumes,
-                                const bool                 pockets) const
+  VolumeCorrection<dim>::choose(const FluidBodies<dim> &bodies,
+                                const bool              pockets) const
   {
     std::vector<Goal> goals;
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -177,9 +176,8 @@ namespace Thalweg
         {
           Goal goal;
           goal.body = b;
-          // Of the spray as much is shown as the level set shows by itself.
-          goal.target =
-            std::max(targets[b], std::min(targets[b] + sprays[b], volumes[b]));
+          // What the mesh shows nowhere is on its way to the nearest body.
+          goal.target = targets[b] + sprays[b];
           goals.push_back(goal);
         }
     return goals;
@@ -345,7 +343,7 @@ namespace Thalweg
 
     for (const bool pockets : {true, false})
       {
-        auto goals = choose(bodies, now, pockets);
+        auto goals = choose(bodies, pockets);
         if (goals.empty())
           continue;
         reach(goals, bodies, phi, largest_shift);

@@ -17,10 +17,8 @@ namespace Thalweg
    * All nodes around the interface of one body are shifted by the same
    * amount, so that a plane remains a plane, and by no more than the given
    * bound: what is lost farther away than that, the level set is not
-   * to invent. The rest, and what particles carry that no body is near (spray),
-   * stays on the particles: the debt. Nor is it taken away where the level set
-   * shows it by itself: a body may have its own and the spray that it is the
-   * nearest to.
+   * to invent. The rest stays on the particles: the debt. What particles carry
+   * that no body is near (spray) belongs to the nearest one.
    */
   template <int dim>
   class VolumeCorrection
@@ -92,9 +90,7 @@ namespace Thalweg
 
     /// The pockets, or the bodies of fluid 0.
     std::vector<Goal>
-    choose(const FluidBodies<dim>    &bodies,
-           const std::vector<double> &volumes,
-           const bool                 pockets) const;
+    choose(const FluidBodies<dim> &bodies, const bool pockets) const;
 
     /// Which body each owned node is shifted for.
     void

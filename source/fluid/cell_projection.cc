@@ -52,9 +52,11 @@ namespace Thalweg
   template <int dim>
   CellProjection<dim>::CellProjection(const NodeSpace<dim>      &space,
                                       const BoundaryNodes<dim>  &boundary,
+                                      const NodalMass<dim>      &mass,
                                       const PressureSystem<dim> &pressure)
     : space(space)
     , boundary(boundary)
+    , mass(mass)
     , pressure(pressure)
   {
     const CellGraph<dim>  &graph = space.mesh().graph();
@@ -141,15 +143,7 @@ namespace Thalweg
               gradients[c][v][d] * x.local_element(c);
       }
     space.fold(change, dim);
-    change.zero_out_ghost_values();
-    for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
-      for (unsigned int d = 0; d < dim; ++d)
-        change.local_element(dim * n + d) =
-          space.is_dependent(n)
-            ? 0.
-            : change.local_element(dim * n + d) / mass->local_element(n);
-    boundary.project(change);
-    space.interpolate(change, dim);
+    mass.invert(change);
   }
 
 
@@ -170,11 +164,12 @@ namespace Thalweg
   {
     // Where a node depends on others they take its share with their masses;
     // for the diagonal it counts with the mass of its cell alone.
-    Vector inverse_mass;
+    const Vector &lumped = mass.lumped();
+    Vector        inverse_mass;
     space.initialize_scalar(inverse_mass);
-    for (unsigned int n = 0; n < mass->locally_owned_size(); ++n)
+    for (unsigned int n = 0; n < lumped.locally_owned_size(); ++n)
       if (!space.is_dependent(n))
-        inverse_mass.local_element(n) = 1. / mass->local_element(n);
+        inverse_mass.local_element(n) = 1. / lumped.local_element(n);
     space.interpolate(inverse_mass, 1);
     for (unsigned int c = 0; c < gradients.size(); ++c)
       {
@@ -270,12 +265,10 @@ namespace Thalweg
 
   template <int dim>
   SolveReport
-  CellProjection<dim>::project(const Vector      &mass_,
-                               Vector            &velocity,
+  CellProjection<dim>::project(Vector            &velocity,
                                const double       tolerance,
                                const unsigned int maximum)
   {
-    mass = &mass_;
     find_outflow(velocity, outflow);
     balance(outflow);
     find_diagonal();

@@ -65,6 +65,7 @@ namespace Thalweg
       std::make_unique<PressureSystem<dim>>(*space, *boundary, *phase, *forces);
     cell_projection = std::make_unique<CellProjection<dim>>(*space,
                                                             *boundary,
+                                                            *mass,
                                                             *pressure_system);
     viscous = std::make_unique<ViscousOperator<dim>>(*space, *boundary, *phase);
     space->initialize_scalar(p.nodal);
@@ -311,10 +312,8 @@ namespace Thalweg
   FractionalStep<dim>::remove_divergence()
   {
     dealii::TimerOutput::Scope scope(context->timers, "divergence");
-    const SolveReport          report = cell_projection->project(mass->lumped(),
-                                                        v,
-                                                        divergence_tolerance,
-                                                        maximal_cg_iterations);
+    const SolveReport          report =
+      cell_projection->project(v, divergence_tolerance, maximal_cg_iterations);
     context->statistics.set("divergence iterations", report.iterations);
     context->statistics.set("divergence [1/s]", report.residual);
   }

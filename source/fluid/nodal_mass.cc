@@ -127,13 +127,34 @@ namespace Thalweg
         vector.local_element(i) += field->local_element(i);
     boundary.project_slip(vector);
     space.interpolate(vector, dim);
+    add_second_term(vector, &BoundaryNodes<dim>::project_slip);
+  }
 
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::invert(Vector &vector) const
+  {
+    vector.zero_out_ghost_values();
+    divide(vector);
+    boundary.project(vector);
+    space.interpolate(vector, dim);
+    add_second_term(vector, &BoundaryNodes<dim>::project);
+  }
+
+
+
+  template <int dim>
+  void
+  NodalMass<dim>::add_second_term(Vector &vector, const Fixing project) const
+  {
     difference = 0.;
     add_difference(vector, difference);
     space.fold(difference, dim);
     difference.zero_out_ghost_values();
     divide(difference);
-    boundary.project_slip(difference);
+    (boundary.*project)(difference);
     vector.zero_out_ghost_values();
     vector.add(1., difference);
     space.interpolate(vector, dim);

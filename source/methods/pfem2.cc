@@ -29,7 +29,8 @@ namespace Thalweg
   void
   Pfem2<dim>::attach(const Parts<dim> &parts_)
   {
-    parts = std::make_unique<Parts<dim>>(parts_);
+    parts            = std::make_unique<Parts<dim>>(parts_);
+    carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
     for (Vector *vector :
          {&convecting_velocity, &old_velocity, &velocity_star, &rate})
       parts->space.initialize_velocity(*vector);
@@ -153,9 +154,26 @@ namespace Thalweg
       }
     parts->space.interpolate(convecting_velocity, dim);
     parts->space.copy_to_cells(convecting_velocity, cell_velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::keep_distance(const double dt)
+  {
     // New particles take the level set without the shift, as the others
     // carry it: else the shifts of all steps would add up in them.
-    parts->space.copy_to_cells(level_set, cell_level_set);
+    Vector distances(level_set);
+    if (parts->phase.is_distance() && parts->projection.takes_distances())
+      {
+        dealii::TimerOutput::Scope scope(parts->context.timers, "interface");
+        carried_distance->find_rates(parts->phase.level_set(),
+                                     convecting_velocity);
+        carried_distance->apply(parts->population, dt);
+        carried_distance->apply(distances, dt);
+      }
+    parts->space.copy_to_cells(distances, cell_level_set);
   }
 
 
@@ -275,6 +293,7 @@ namespace Thalweg
     unsigned int     n_added, n_removed;
     accelerate_before_convection(time, dt);
     choose_convecting_velocity(time + .5 * dt);
+    keep_distance(dt);
     project_before_convection();
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");

@@ -1,7 +1,7 @@
 #ifndef thalweg_fluid_cell_projection_h
 #define thalweg_fluid_cell_projection_h
 
-#include <thalweg/fields/boundary_nodes.h>
+#include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/linear_algebra/krylov.h>
 
 #include <vector>
@@ -33,11 +33,11 @@ namespace Thalweg
     /// All must outlive the object.
     CellProjection(const NodeSpace<dim>      &space,
                    const BoundaryNodes<dim>  &boundary,
+                   const NodalMass<dim>      &mass,
                    const PressureSystem<dim> &pressure);
 
     /**
      * @brief Projects. Collective.
-     * @param mass of the nodes, kg; owned entries
      * @param velocity ghosted and consistent, with its boundary values, m/s
      * @param tolerance the iterations end when one changes the velocity by
      *   less than this part of the whole change, in the norm of the kinetic
@@ -50,8 +50,7 @@ namespace Thalweg
      * @throws SolverFailure
      */
     SolveReport
-    project(const Vector      &mass,
-            Vector            &velocity,
+    project(Vector            &velocity,
             const double       tolerance,
             const unsigned int maximum);
 
@@ -100,11 +99,11 @@ namespace Thalweg
 
     const NodeSpace<dim>      &space;
     const BoundaryNodes<dim>  &boundary;
+    const NodalMass<dim>      &mass;
     const PressureSystem<dim> &pressure;
     /// int grad N_i, cell by cell
     std::vector<std::array<dealii::Tensor<1, dim>, n_vertices>> gradients;
     std::vector<unsigned int>                                   rigid_cells;
-    const Vector                                               *mass = nullptr;
     Vector         inverse_diagonal;
     Vector         outflow;
     Vector         multiplier, preconditioned, direction, image;

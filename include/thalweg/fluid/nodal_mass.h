@@ -65,9 +65,25 @@ namespace Thalweg
                const dealii::Tensor<1, dim> &uniform,
                const Vector                 *field) const;
 
+    /**
+     * @brief The same without anything that is added, for what may not change
+     * given velocities. Collective.
+     * @param vector in: forces, N, folded; out: m/s^2, ghosted and consistent,
+     *   without components that boundary conditions fix
+     */
+    void
+    invert(Vector &vector) const;
+
   private:
+    using Fixing = void (BoundaryNodes<dim>::*)(Vector &) const;
+
     static constexpr unsigned int n_vertices = 1 << dim;
     using CellMatrix = std::array<std::array<double, n_vertices>, n_vertices>;
+
+    /// vector += M_L^{-1} (M_L - M) vector, without what @p project takes
+    /// away.
+    void
+    add_second_term(Vector &vector, const Fixing project) const;
 
     /// vector_i := vector_i / M_L
     void

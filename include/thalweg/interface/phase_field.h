@@ -78,6 +78,13 @@ namespace Thalweg
       return phi;
     }
 
+    /// Whether that is the distance to the interface near it.
+    bool
+    is_distance() const
+    {
+      return fluids.size() == 2 && parameters.redistance;
+    }
+
     /// The index of a cell's cut_cells() entry, or -1.
     int
     cut_index(const unsigned int cell) const

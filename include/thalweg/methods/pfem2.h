@@ -2,6 +2,7 @@
 #define thalweg_methods_pfem2_h
 
 #include <thalweg/methods/method.h>
+#include <thalweg/transfer/carried_distance.h>
 
 namespace Thalweg
 {
@@ -58,6 +59,11 @@ namespace Thalweg
     void
     choose_convecting_velocity(const double time);
 
+    /// What the particles carry remains the distance from the interface while
+    /// they move for @p dt; what new ones get, too.
+    void
+    keep_distance(const double dt);
+
     /// V* of the particles before they move.
     void
     project_before_convection();
@@ -96,10 +102,11 @@ namespace Thalweg
 
     std::string time_integration = "staggered";
 
-    std::unique_ptr<Parts<dim>> parts;
-    Vector                      convecting_velocity;
-    Vector                      old_velocity;
-    Vector                      velocity_star;
+    std::unique_ptr<Parts<dim>>           parts;
+    std::unique_ptr<CarriedDistance<dim>> carried_distance;
+    Vector                                convecting_velocity;
+    Vector                                old_velocity;
+    Vector                                velocity_star;
     /// V* before the particles moved, then the rate at which it changed.
     Vector            rate;
     Vector            level_set;

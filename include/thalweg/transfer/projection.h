@@ -41,6 +41,13 @@ namespace Thalweg
     /// At how many times the shortest edge of their cell particles' level sets
     /// are cut off before they are averaged.
     double band = std::numeric_limits<double>::infinity();
+
+    /// Whether what particles carry is the distance from the interface.
+    bool
+    takes_distances() const
+    {
+      return band < std::numeric_limits<double>::infinity();
+    }
   };
 
   /**

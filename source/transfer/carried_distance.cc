@@ -1,0 +1,219 @@
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/gather.h>
+#include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/carried_distance.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// Interpolation from dependences leaves round-off in a one.
+    constexpr double almost_one = 1. - 1e-9;
+
+    template <std::size_t n>
+    bool
+    is_cut(const std::array<double, n> &phi)
+    {
+      const auto [least, most] = std::minmax_element(phi.begin(), phi.end());
+      return *least < 0 && *most >= 0;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  CarriedDistance<dim>::CarriedDistance(const NodeSpace<dim> &space)
+    : space(space)
+  {
+    for (Vector *vector : {&distance, &rate, &is_known, &sum, &count})
+      space.initialize_scalar(*vector);
+  }
+
+
+
+  template <int dim>
+  double
+  CarriedDistance<dim>::normal_stretch(const unsigned int cell,
+                                       const Vector      &phi,
+                                       const Vector      &velocity) const
+  {
+    dealii::Point<dim> middle;
+    for (unsigned int d = 0; d < dim; ++d)
+      middle[d] = .5;
+    const auto &nodes = space.nodes(cell);
+    const auto  point = Q1::evaluate<dim>(space.mesh().graph().cell(cell),
+                                         Q1::values<dim>(middle),
+                                         Q1::reference_gradients<dim>(middle));
+    dealii::Tensor<1, dim> normal;
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      normal += phi.local_element(nodes[v]) * point.gradients[v];
+    const double square = normal.norm_square();
+    if (square == 0.)
+      return 0.;
+    double stretch = 0.;
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      {
+        double along = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          along += normal[d] * velocity.local_element(dim * nodes[v] + d);
+        stretch += along * (point.gradients[v] * normal);
+      }
+    return stretch / square;
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::take_means()
+  {
+    space.fold(sum, 1);
+    space.fold(count, 1);
+    rate.zero_out_ghost_values();
+    is_known.zero_out_ghost_values();
+    for (unsigned int n = 0; n < rate.locally_owned_size(); ++n)
+      if (count.local_element(n) > 0 && is_known.local_element(n) == 0)
+        {
+          rate.local_element(n) = sum.local_element(n) / count.local_element(n);
+          is_known.local_element(n) = 1.;
+        }
+    space.interpolate(rate, 1);
+    space.interpolate(is_known, 1);
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::start(const Vector &phi, const Vector &velocity)
+  {
+    sum   = 0.;
+    count = 0.;
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      {
+        const auto &nodes  = space.nodes(c);
+        const auto  values = gather<dim>(phi, nodes);
+        if (!is_cut(values))
+          continue;
+        const double stretch = normal_stretch(c, phi, velocity);
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          {
+            sum.local_element(nodes[v]) += stretch * values[v];
+            count.local_element(nodes[v]) += 1.;
+          }
+      }
+    take_means();
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::extend(const Vector &phi, const Vector &velocity)
+  {
+    sum   = 0.;
+    count = 0.;
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      {
+        const auto &nodes      = space.nodes(c);
+        const auto  values     = gather<dim>(phi, nodes);
+        double      n_known    = 0.;
+        double      mean_value = 0., mean_rate = 0.;
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          if (is_known.local_element(nodes[v]) >= almost_one)
+            {
+              n_known += 1.;
+              mean_value += values[v];
+              mean_rate += rate.local_element(nodes[v]);
+            }
+        if (n_known == 0. || n_known == nodes.size())
+          continue;
+        const double stretch = normal_stretch(c, phi, velocity);
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          if (is_known.local_element(nodes[v]) < almost_one)
+            {
+              sum.local_element(nodes[v]) +=
+                (mean_rate + stretch * (n_known * values[v] - mean_value)) /
+                n_known;
+              count.local_element(nodes[v]) += 1.;
+            }
+      }
+    take_means();
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::find_rates(const Vector &phi, const Vector &velocity)
+  {
+    distance.copy_locally_owned_data_from(phi);
+    space.interpolate(distance, 1);
+    rate     = 0.;
+    is_known = 0.;
+    start(phi, velocity);
+    extend(phi, velocity);
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::apply(Population<dim> &population,
+                              const double     dt) const
+  {
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto &nodes = space.nodes(c);
+        if (std::any_of(nodes.begin(), nodes.end(), [&](const auto node) {
+              return is_known.local_element(node) < almost_one;
+            }))
+          continue;
+        auto rates     = gather<dim>(rate, nodes);
+        auto distances = gather<dim>(distance, nodes);
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          if (distances[v] < 0)
+            {
+              distances[v] = -distances[v];
+              rates[v]     = -rates[v];
+            }
+        for (auto &particle :
+             population.handler().particles_in_cell(graph.iterator(c)))
+          {
+            const auto shape =
+              Q1::values<dim>(particle.get_reference_location());
+            double r = 0., d = 0.;
+            for (unsigned int v = 0; v < nodes.size(); ++v)
+              {
+                r += shape[v] * rates[v];
+                d += shape[v] * distances[v];
+              }
+            if (d > 0)
+              particle.get_properties()[Population<dim>::level_set_offset] *=
+                std::exp(dt * r / d);
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CarriedDistance<dim>::apply(Vector &level_set, const double dt) const
+  {
+    level_set.zero_out_ghost_values();
+    for (unsigned int n = 0; n < level_set.locally_owned_size(); ++n)
+      if (const double d = distance.local_element(n);
+          is_known.local_element(n) >= almost_one && d != 0)
+        level_set.local_element(n) *= std::exp(dt * rate.local_element(n) / d);
+    space.interpolate(level_set, 1);
+  }
+
+
+
+  THALWEG_INSTANTIATE(CarriedDistance)
+} // namespace Thalweg

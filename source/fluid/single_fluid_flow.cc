@@ -72,8 +72,8 @@ namespace Thalweg
            pressure_space->scalar(),
            begin_velocity,
            physical_pressure,
-           reaction,
-           traction,
+           &reaction,
+           &traction,
            fluid.density,
            fluid.viscosity,
            0.}

@@ -175,8 +175,8 @@ int
 main(int argc, char **argv)
 {
   const Thalweg::MpiSession mpi;
-  const unsigned int n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
-  const unsigned int n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
+  const unsigned int        n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
+  const unsigned int        n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::printf("                                                       per "
                 "particle  1e6 substeps/s  ns of wall\n"

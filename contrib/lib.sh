@@ -81,7 +81,7 @@ build() {
   local jobs=${JOBS:-$(build_jobs)} targets=()
   configure
   [ $# -eq 0 ] || targets=(--target "$@")
-  [ -x "$BUILD/thalweg" ] ||
+  [ -e "$BUILD/.ninja_log" ] ||
     say "building with $jobs jobs (JOBS=N sets their number); this takes some" \
       "minutes."
   cmake --build "$BUILD" --parallel "$jobs" ${targets[@]+"${targets[@]}"} 2>&1 |

@@ -342,7 +342,7 @@ namespace Thalweg
     else
       {
         mean_span = known_span + dt;
-        for (const auto &[impulse, mean] :
+        for (const auto [impulse, mean] :
              {std::make_pair(&pressure_impulse, &mean_pressure),
               std::make_pair(&force_impulse, &mean_force)})
           {

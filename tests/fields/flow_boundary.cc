@@ -118,7 +118,9 @@ TYPED_TEST(FlowBoundaryMpi, ProjectionsRemoveWhatIsFixed)
     [&](Vector &u) { scene.flow_boundary.project(u); },
     [](const auto &u, const auto &p) {
       if (is(p[0], 0.) || is(p[1], 1.))
-        EXPECT_EQ(u.norm(), 0.) << p;
+        {
+          EXPECT_EQ(u.norm(), 0.) << p;
+        }
       else
         {
           EXPECT_EQ(u[0], 1.) << p;

@@ -209,7 +209,7 @@ TEST(Generator, ExplainsWhatIsWrong)
                      "Function = subdivided_hyper_cube_with_simplices\n"
                      "Arguments = 2 : 0 : 1 : false")
                .error(),
-             "'subdivided_hyper_cube_with_simplices' with the arguments"));
+             "'subdivided_hyper_cube_with_simplices'"));
 }
 
 

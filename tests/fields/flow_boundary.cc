@@ -126,10 +126,12 @@ TYPED_TEST(FlowBoundaryMpi, ProjectionsRemoveWhatIsFixed)
           EXPECT_EQ(u[0], 1.) << p;
           EXPECT_NEAR(u[1], is(p[1], 0.) ? 0. : 1., 1e-13) << p;
           if (dim == 3)
-            EXPECT_NEAR(u[dim - 1],
-                        is(p[dim - 1], 0.) || is(p[dim - 1], 1.) ? 0. : 1.,
-                        1e-13)
-              << p;
+            {
+              EXPECT_NEAR(u[dim - 1],
+                          is(p[dim - 1], 0.) || is(p[dim - 1], 1.) ? 0. : 1.,
+                          1e-13)
+                << p;
+            }
         }
     });
 }

@@ -59,15 +59,15 @@ install_packages() {
     fail "installing the packages failed; the lines above say why."
 }
 
-# Configures a Release build where there is none yet. A build directory that
-# the user configured otherwise is used as it is.
+# Configures a build where there is none yet: its type, and options of CMake. A
+# build directory that the user configured otherwise is used as it is.
 configure() {
   [ ! -f "$BUILD/build.ninja" ] && [ ! -f "$BUILD/Makefile" ] || return 0
-  local log
+  local log type=${1:-Release}
   log=$(mktemp)
-  say "configuring a Release build in $BUILD"
-  if ! cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-    >"$log" 2>&1; then
+  say "configuring a $type build in $BUILD"
+  if ! cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE="$type" \
+    "${@:2}" >"$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
     fail "configuring failed; the lines above say why."
@@ -81,7 +81,7 @@ build() {
   local jobs=${JOBS:-$(build_jobs)} targets=()
   configure
   [ $# -eq 0 ] || targets=(--target "$@")
-  [ -x "$BUILD/thalweg" ] ||
+  [ -e "$BUILD/.ninja_log" ] ||
     say "building with $jobs jobs (JOBS=N sets their number); this takes some" \
       "minutes."
   cmake --build "$BUILD" --parallel "$jobs" ${targets[@]+"${targets[@]}"} 2>&1 |

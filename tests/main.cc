@@ -1,6 +1,7 @@
-#include <deal.II/base/mpi.h>
+#include <thalweg/core/mpi_session.h>
 
 #include <gtest/gtest.h>
+#include <iostream>
 
 /**
  * Runs the tests on any number of processes. The root process reports its
@@ -9,7 +10,7 @@
 int
 main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Thalweg::MpiSession mpi;
   ::testing::InitGoogleTest(&argc, argv);
 
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0)

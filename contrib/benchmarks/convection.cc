@@ -12,6 +12,7 @@
  *
  * Usage: `contrib/benchmarks/convection [cells a direction in 2D] [in 3D]`
  */
+#include <thalweg/core/mpi_session.h>
 #include <thalweg/particles/path_convection.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/particles/streamline_convection.h>
@@ -173,9 +174,9 @@ namespace
 int
 main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const unsigned int n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
-  const unsigned int n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
+  const Thalweg::MpiSession mpi;
+  const unsigned int        n_2d = argc > 1 ? std::atoi(argv[1]) : 128;
+  const unsigned int        n_3d = argc > 2 ? std::atoi(argv[2]) : 24;
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::printf("                                                       per "
                 "particle  1e6 substeps/s  ns of wall\n"

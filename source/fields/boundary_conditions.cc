@@ -153,9 +153,9 @@ namespace Thalweg
     const Mesh<dim>                   &mesh)
   {
     for (const std::string &name : parameters.no_slip)
-      set(mesh, name, {BoundaryKind::no_slip});
+      set(mesh, name, {BoundaryKind::no_slip, nullptr, "", nullptr});
     for (const std::string &name : parameters.slip)
-      set(mesh, name, {BoundaryKind::slip});
+      set(mesh, name, {BoundaryKind::slip, nullptr, "", nullptr});
     for (const auto &[name, text] :
          split_expressions(parameters.velocity, "Velocity"))
       set(mesh,

@@ -72,8 +72,8 @@ namespace Thalweg
            pressure_space->scalar(),
            begin_velocity,
            physical_pressure,
-           reaction,
-           traction,
+           &reaction,
+           &traction,
            fluid.density,
            fluid.viscosity,
            0.}
@@ -341,15 +341,14 @@ namespace Thalweg
       }
     else
       {
-        mean_span = known_span + dt;
-        for (const auto &[impulse, mean] :
-             {std::make_pair(&pressure_impulse, &mean_pressure),
-              std::make_pair(&force_impulse, &mean_force)})
-          {
-            impulse->add(dt, *mean);
-            copy_owned(*mean, *impulse);
-            *mean *= 1. / mean_span;
-          }
+        mean_span         = known_span + dt;
+        const auto extend = [&](Vector &impulse, Vector &mean) {
+          impulse.add(dt, mean);
+          copy_owned(mean, impulse);
+          mean *= 1. / mean_span;
+        };
+        extend(pressure_impulse, mean_pressure);
+        extend(force_impulse, mean_force);
       }
     pressure_space->interpolate(mean_pressure, 1);
     velocity_space->interpolate(mean_force, dim);

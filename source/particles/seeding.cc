@@ -167,10 +167,10 @@ namespace Thalweg
             const double                        negative_volume,
             const dealii::types::particle_index first_id)
       {
-        const auto           &geometry   = mesh.graph().cell(cell);
-        std::array<double, 2> volumes    = {negative_volume,
-                                            geometry.measure - negative_volume};
-        const double          negligible = 1e-12 * geometry.measure;
+        const auto           &geometry = mesh.graph().cell(cell);
+        std::array<double, 2> volumes  = {
+           {negative_volume, geometry.measure - negative_volume}};
+        const double negligible = 1e-12 * geometry.measure;
         for (unsigned int fluid = 0; fluid < 2; ++fluid)
           if (volumes[fluid] <= negligible)
             {

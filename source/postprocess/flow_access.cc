@@ -11,7 +11,6 @@ namespace Thalweg
   FlowFields<dim>
   flow_of(const SolutionView<dim> &solution)
   {
-    static const Vector no_reaction;
     if (solution.flow != nullptr)
       return *solution.flow;
     return {solution.mesh.mapping(),
@@ -19,8 +18,8 @@ namespace Thalweg
             solution.space.scalar(),
             solution.velocity,
             solution.pressure,
-            no_reaction,
-            no_reaction,
+            nullptr,
+            nullptr,
             solution.fluids[0].density,
             solution.fluids[0].viscosity,
             solution.time};

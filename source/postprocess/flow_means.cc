@@ -1,5 +1,6 @@
 #include <thalweg/core/compat.h>
 #include <thalweg/core/registry.h>
+#include <thalweg/postprocess/flow_access.h>
 #include <thalweg/postprocess/flow_means.h>
 
 namespace Thalweg
@@ -23,7 +24,7 @@ namespace Thalweg
       find_sources(*pressure_space, flow.pressure_dofs, flow.pressure);
     velocity_space->initialize(mean_velocity, dim);
     pressure_space->initialize(mean_pressure, 1);
-    if (flow.traction.size() > 0)
+    if (has_traction(flow))
       velocity_space->initialize(mean_traction, dim);
     if (with_stresses)
       for (auto &products : stress_times_time)
@@ -96,7 +97,7 @@ namespace Thalweg
     pressure_space->interpolate(mean_pressure, 1);
     if (mean_traction.size() > 0)
       {
-        average(velocity_sources, flow.traction, mean_traction);
+        average(velocity_sources, *flow.traction, mean_traction);
         velocity_space->interpolate(mean_traction, dim);
       }
     if (with_stresses)
@@ -110,14 +111,13 @@ namespace Thalweg
   FlowFields<dim>
   FlowMeans<dim>::flow(const FlowFields<dim> &present) const
   {
-    static const Vector no_reaction;
     return {present.mapping,
             velocity_space->velocity(),
             pressure_space->scalar(),
             mean_velocity,
             mean_pressure,
-            no_reaction,
-            mean_traction,
+            nullptr,
+            &mean_traction,
             present.density,
             present.viscosity,
             present.pressure_time};

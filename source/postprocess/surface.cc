@@ -1,4 +1,5 @@
 #include <thalweg/core/compat.h>
+#include <thalweg/postprocess/flow_access.h>
 #include <thalweg/postprocess/surface.h>
 
 #include <deal.II/base/mpi.h>
@@ -60,9 +61,9 @@ namespace Thalweg
         pressure.reinit(Compat::on_dof_handler(cell, flow.pressure_dofs), f);
         const dealii::FEValuesExtractors::Vector extractor(0);
         velocity[extractor].get_function_gradients(flow.velocity, gradients);
-        const bool has_traction = flow.traction.size() > 0;
-        if (has_traction)
-          velocity[extractor].get_function_values(flow.traction, tractions);
+        const bool is_known = has_traction(flow);
+        if (is_known)
+          velocity[extractor].get_function_values(*flow.traction, tractions);
         pressure.get_function_values(flow.pressure, pressures);
         for (unsigned int q = 0; q < points.size(); ++q)
           {
@@ -75,7 +76,7 @@ namespace Thalweg
                          velocity.JxW(q),
                          pressures[q],
                          viscous,
-                         has_traction ? tractions[q] : viscous};
+                         is_known ? tractions[q] : viscous};
           }
         return points;
       }
@@ -202,7 +203,7 @@ namespace Thalweg
                 seen[n] = true;
                 dealii::Tensor<1, dim> force;
                 force[fe.system_to_component_index(i).first] =
-                  flow.reaction(indices[i]);
+                  (*flow.reaction)(indices[i]);
                 load.add(flow.mapping.transform_unit_to_real_cell(
                            cell, fe.unit_support_point(i)) -
                            center,

@@ -74,6 +74,6 @@ TEST(GrowingFile, BeginsAnewWhereItIsNotWhatItWas)
   EXPECT_EQ(content(place.path), "b\n");
   EXPECT_EQ(content(place.path + ".old"), "a\n2\n3\n");
 
-  EXPECT_ANY_THROW(file.reopen("/nonexistent/file", "a\n", 2));
+  EXPECT_ANY_THROW(file.reopen("/dev/null/file", "a\n", 2));
   EXPECT_ANY_THROW(file.create("/dev/full", "a\n"));
 }

@@ -118,16 +118,20 @@ TYPED_TEST(FlowBoundaryMpi, ProjectionsRemoveWhatIsFixed)
     [&](Vector &u) { scene.flow_boundary.project(u); },
     [](const auto &u, const auto &p) {
       if (is(p[0], 0.) || is(p[1], 1.))
-        EXPECT_EQ(u.norm(), 0.) << p;
+        {
+          EXPECT_EQ(u.norm(), 0.) << p;
+        }
       else
         {
           EXPECT_EQ(u[0], 1.) << p;
           EXPECT_NEAR(u[1], is(p[1], 0.) ? 0. : 1., 1e-13) << p;
           if (dim == 3)
-            EXPECT_NEAR(u[dim - 1],
-                        is(p[dim - 1], 0.) || is(p[dim - 1], 1.) ? 0. : 1.,
-                        1e-13)
-              << p;
+            {
+              EXPECT_NEAR(u[dim - 1],
+                          is(p[dim - 1], 0.) || is(p[dim - 1], 1.) ? 0. : 1.,
+                          1e-13)
+                << p;
+            }
         }
     });
 }

@@ -35,12 +35,15 @@ namespace
         const auto &cell =
           scene.V.mesh().graph().iterator(face.cell)->face(face.face_no);
         for (unsigned int k = 0; k < face.nodes.size(); ++k, value += dim)
-          for (const auto &[at, side] :
-               {std::make_pair(&at_bottom, cell->center()[1] < 1e-9),
-                std::make_pair(&at_right, cell->center()[0] > 1. - 1e-9)})
-            if (side && k < cell->n_vertices())
-              largest =
-                std::max(largest, std::abs(value[0] - (*at)(cell->vertex(k))));
+          {
+            const auto compare = [&](const bool is_at, const auto &exact) {
+              if (is_at && k < cell->n_vertices())
+                largest = std::max(largest,
+                                   std::abs(value[0] - exact(cell->vertex(k))));
+            };
+            compare(cell->center()[1] < 1e-9, at_bottom);
+            compare(cell->center()[0] > 1. - 1e-9, at_right);
+          }
       }
     return max_of_all(largest);
   }

@@ -249,8 +249,8 @@ TEST(BodyForcesMpi, ResidualColumnsAreThereBeforeThereIsAReaction)
                                       f.pressure_dofs,
                                       f.velocity,
                                       f.pressure,
-                                      none,
-                                      none,
+                                      &none,
+                                      nullptr,
                                       1.,
                                       1.,
                                       0.};

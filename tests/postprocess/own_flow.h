@@ -40,8 +40,8 @@ public:
              pressure_dofs,
              velocity,
              pressure,
-             reaction,
-             traction,
+             &reaction,
+             &traction,
              density,
              viscosity,
              0.}

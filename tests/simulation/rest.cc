@@ -146,7 +146,7 @@ TEST(Rest, TiltedPlanesInCellsOfAnyShapeStayAtRest)
     {
       const IrregularMesh<2> mesh(8, triangles ? .2 : .3, triangles);
       for (const double angle : {0., 17., 40.})
-        for (const std::string walls : {std::string(), no_slip})
+        for (const std::string &walls : {std::string(), no_slip})
           EXPECT_LT(largest_velocity<2>(
                       rest<2>(mesh.geometry(triangles), tilted(angle), 5) +
                       walls),

@@ -206,7 +206,7 @@ TEST(SingleFluid, UniformFlowStaysUniform)
         section("Boundary conditions",
                 {"Velocity = left: 1; 0.5 | bottom: 1; 0.5 | right: 1; 0.5 | "
                  "top: 1; 0.5"})})
-    for (const std::string &degrees :
+    for (const std::string degrees :
          {"Velocity degree = 1", "Velocity degree = 2"})
       {
         const RunCase<2> run(
@@ -231,7 +231,7 @@ TEST(SingleFluid, UniformFlowStaysUniform)
 
 TEST(SingleFluid, CouettesFlowIsSteadyAtAnyFourierNumber)
 {
-  for (const std::string &theta : {"0.5", "1"})
+  for (const std::string theta : {"0.5", "1"})
     for (const unsigned int degree : {1u, 2u})
       {
         const RunCase<2> run(between_plates("y", "1", "0", theta, degree));
@@ -251,7 +251,7 @@ TEST(SingleFluid, CouettesFlowIsSteadyAtAnyFourierNumber)
 
 TEST(SingleFluid, PoiseuillesFlowIsSteadyAtAnyFourierNumber)
 {
-  for (const std::string &theta : {"0.5", "1"})
+  for (const std::string theta : {"0.5", "1"})
     {
       const RunCase<2> run(between_plates("y*(1-y)", "0", "2", theta, 2));
       EXPECT_LT(velocity_error(run,
@@ -291,7 +291,7 @@ TEST(SingleFluid, TrapezoidalViscosityIsStableAtFourierNumber100)
 
 TEST(SingleFluid, WaterAtRestStaysAtRest)
 {
-  for (const std::string &degrees :
+  for (const std::string degrees :
        {"Velocity degree = 1", "Velocity degree = 2"})
     {
       const RunCase<2> run(hanging_box<2>(4) +

@@ -159,17 +159,17 @@ TEST(StepsOfAnySize, LeaveForcesOnWallsAsTheyWere)
     for (const double dt : {.02, 1e-7, 1e-6})
       sizes.push_back(dt);
   uneven.make(sizes);
-  auto difference = even.flow().reaction;
-  difference.add(-1., uneven.flow().reaction);
+  auto difference = *even.flow().reaction;
+  difference.add(-1., *uneven.flow().reaction);
   EXPECT_LT(difference.linfty_norm(),
-            1e-3 * even.flow().reaction.linfty_norm());
+            1e-3 * even.flow().reaction->linfty_norm());
   // The next one of usual size is undisturbed, too.
   even.make({.02});
   uneven.make({.02});
-  difference = even.flow().reaction;
-  difference.add(-1., uneven.flow().reaction);
+  difference = *even.flow().reaction;
+  difference.add(-1., *uneven.flow().reaction);
   EXPECT_LT(difference.linfty_norm(),
-            1e-3 * even.flow().reaction.linfty_norm());
+            1e-3 * even.flow().reaction->linfty_norm());
 }
 
 

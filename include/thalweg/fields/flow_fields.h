@@ -31,16 +31,17 @@ namespace Thalweg
      * velocity is fixed, in N (N/m in 2D): the residual of the momentum
      * equation with its test function. Summed over the nodes of a body it is
      * the force on the body, one order more accurate than an integral of
-     * stresses. Zero elsewhere.
+     * stresses. Zero elsewhere. nullptr or empty: not known.
      */
-    const Vector &reaction;
+    const Vector *reaction;
     /**
      * The viscous force of the fluid per area at these nodes, in Pa: what
      * the reaction has beyond that of the pressure, over the node's part of
      * the boundary. One order more accurate than the stress of linear
      * elements at the boundary, which is that in the middle of a cell.
+     * nullptr or empty: not known.
      */
-    const Vector &traction;
+    const Vector *traction;
     double        density;       ///< kg/m^3
     double        viscosity;     ///< Pa s
     double        pressure_time; ///< s; the middle of the last step

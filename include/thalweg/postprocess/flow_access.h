@@ -17,7 +17,7 @@ namespace Thalweg
    * the difference.
    *
    * In the second case density and viscosity are those of the first fluid,
-   * and reaction and traction are empty vectors.
+   * and there is neither reaction nor traction.
    */
   template <int dim>
   FlowFields<dim>
@@ -28,7 +28,15 @@ namespace Thalweg
   bool
   has_reaction(const FlowFields<dim> &flow)
   {
-    return flow.reaction.size() > 0;
+    return flow.reaction != nullptr && flow.reaction->size() > 0;
+  }
+
+  /// Whether viscous forces at the boundary's nodes are available.
+  template <int dim>
+  bool
+  has_traction(const FlowFields<dim> &flow)
+  {
+    return flow.traction != nullptr && flow.traction->size() > 0;
   }
 
   /// The flow at a point.

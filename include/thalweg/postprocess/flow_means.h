@@ -91,8 +91,8 @@ namespace Thalweg
     std::vector<unsigned int>           velocity_sources, pressure_sources;
     Vector                              mean_velocity, mean_pressure;
     /// Empty where the flow has none.
-    Vector                              mean_traction;
-    std::array<Vector, dim>             stress_times_time;
+    Vector                  mean_traction;
+    std::array<Vector, dim> stress_times_time;
   };
 } // namespace Thalweg
 

@@ -65,8 +65,8 @@ namespace Thalweg
     /**
      * @brief Makes anew what belongs to a mesh, with zero vectors where
      * keep() names some; what was known of the old mesh is no longer valid.
-     * Collective.
-     * @param solution on the new mesh; its fields may be zero still
+     * Collective. The solution is on the new mesh, and its fields may be
+     * zero still.
      */
     virtual void
     mesh_changed(const SolutionView<dim> &)

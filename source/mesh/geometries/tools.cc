@@ -107,19 +107,18 @@ namespace Thalweg
 
 
     void
-    check_plane(const dealii::Triangulation<2, 3> &surface,
-                const std::string                 &what)
+    check_plane(const std::vector<dealii::Point<3>> &points,
+                const std::string                   &what)
     {
-      if (surface.n_active_cells() == 0)
+      if (points.empty())
         return;
-      dealii::Point<3> lower = surface.get_vertices()[0], upper = lower;
-      for (const auto &cell : surface.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              lower[d] = std::min(lower[d], cell->vertex(v)[d]);
-              upper[d] = std::max(upper[d], cell->vertex(v)[d]);
-            }
+      dealii::Point<3> lower = points[0], upper = lower;
+      for (const auto &point : points)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            lower[d] = std::min(lower[d], point[d]);
+            upper[d] = std::max(upper[d], point[d]);
+          }
       const double tolerance = 1e-6 * lower.distance(upper);
       if (upper[2] - lower[2] <= tolerance)
         return;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <new>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -67,6 +68,10 @@ namespace Thalweg
       try
         {
           work();
+        }
+      catch (const std::bad_alloc &)
+        {
+          message = "it needs more memory than can be given to it";
         }
       catch (const std::exception &exception)
         {

@@ -95,6 +95,45 @@ TEST(MeshOutline, TellsWhatIsWrongInFiles)
 }
 
 
+TEST(MeshOutline, IsReadFromFilesWithoutBoundaries)
+{
+  const std::string xda = "x\n1 # cells\n4 # nodes\n\n\n\n\n\n\n\n\n"
+                          "0 1 2 3\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const std::string dbmesh =
+    "MeshVersionFormatted 0\n\nDimension\n2\n\n# END\n\nVertices\n4\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n\nEdges\n0\n\nCrackedEdges\n0\n\n"
+    "Quadrilaterals\n1\n1 2 3 4 0\n\nEnd\n";
+  const std::string tecplot =
+    "TITLE = \"x\"\nVARIABLES = \"x\" \"y\"\nZONE N = 4, E=1, F=FEPOINT, "
+    "ET=QUADRILATERAL\n0 0\n1 0\n1 1\n0 1e0\n1 2 3 4\n";
+  const auto read_xda = [](const std::string &text, const std::string &what) {
+    return outline_of_xda(text, 2, what);
+  };
+  const auto read_tecplot = [](const std::string &text,
+                               const std::string &what) {
+    return outline_of_tecplot(text, 2, what);
+  };
+  for (const MeshOutline &outline : {read_xda(xda, "It"),
+                                     outline_of_dbmesh(dbmesh, "It"),
+                                     read_tecplot(tecplot, "It")})
+    {
+      EXPECT_EQ(outline.points.size(), 4u);
+      ASSERT_EQ(outline.elements.size(), 1u);
+      EXPECT_EQ(outline.elements[0].nodes,
+                (std::vector<unsigned int>{0, 1, 2, 3}));
+    }
+  EXPECT_EQ(fault(read_xda, xda, "0 1 2 3", "0 1 2 4"),
+            "It: in line 12 an element has the node 4, but there is no node of "
+            "this number.");
+  EXPECT_EQ(fault(outline_of_dbmesh, dbmesh, "1 2 3 4 0", "1 2 3 0 0"),
+            "It: in line 21 an element has the node 0, but there is no node of "
+            "this number.");
+  EXPECT_EQ(fault(read_tecplot, tecplot, "1 2 3 4", "1 2 3 77"),
+            "It: in line 8 an element has the node 77, but there is no node of "
+            "this number.");
+}
+
+
 TEST(MeshOutline, SidesBelongToCells)
 {
   EXPECT_EQ(fault(outline_of_ucd, square_in_ucd, "line 1 2", "line 1 3"),

@@ -118,9 +118,16 @@ def dbmesh(n):
             + joined((*(v + 1 for v in c), 0) for c in cells(n)) + "\nEnd\n")
 
 
+def tecplot(n):
+    return ("TITLE=\"square\"\nVARIABLES=\"x\" \"y\"\n"
+            f"ZONE N={len(points(n))}, E={len(cells(n))}, F=FEPOINT, "
+            "ET=QUADRILATERAL\n"
+            + joined(points(n)) + joined([v + 1 for v in c] for c in cells(n)))
+
+
 MESHES = {"m.msh": msh_2(3), "n.msh": msh_4(3), "m.vtk": vtk(3),
           "m.inp": inp(3), "m.ucd": ucd(3), "m.unv": unv(3), "m.xda": xda(3),
-          "m.dbmesh": dbmesh(3)}
+          "m.dbmesh": dbmesh(3), "m.dat": tecplot(3)}
 
 
 def mutated(content, chance):
@@ -201,16 +208,19 @@ def mutated_json(value, chance):
 
 
 def mutate_manifest(checkpoint, chance):
+    """Changes the manifest; whether the data still have their checksums."""
     path = checkpoint / "manifest.json"
     if chance.random() < .3:
         path.write_bytes(mutated(path.read_bytes(), chance))
     else:
         content = mutated_json(json.loads(path.read_text()), chance)
         path.write_text(json.dumps(content))
+    return True
 
 
 def mutate_data(checkpoint, chance):
-    """Changes a file, and lets the manifest say that it is whole."""
+    """Changes a file, and often lets the manifest say that it is whole.
+    Returns whether its checksum tells that it is not."""
     files = sorted(p for p in checkpoint.iterdir()
                    if p.is_file() and p.name != "manifest.json")
     path = chance.choice(files)
@@ -222,3 +232,5 @@ def mutate_data(checkpoint, chance):
         entry["size"] = path.stat().st_size
         entry["checksum"] = zlib.crc32(path.read_bytes())
         manifest.write_text(json.dumps(content))
+        return False
+    return True

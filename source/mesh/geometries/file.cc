@@ -164,7 +164,9 @@ namespace Thalweg
       {
         using Format = dealii::GridIn<dim>;
         return format() == Format::vtk || format() == Format::ucd ||
-               format() == Format::unv || format() == Format::abaqus;
+               format() == Format::unv || format() == Format::abaqus ||
+               format() == Format::xda || format() == Format::dbmesh ||
+               format() == Format::tecplot;
       }
 
 
@@ -180,6 +182,12 @@ namespace Thalweg
               return Geometries::outline_of_ucd(content, refusal());
             case Format::unv:
               return Geometries::outline_of_unv(content, refusal());
+            case Format::xda:
+              return Geometries::outline_of_xda(content, dim, refusal());
+            case Format::dbmesh:
+              return Geometries::outline_of_dbmesh(content, refusal());
+            case Format::tecplot:
+              return Geometries::outline_of_tecplot(content, dim, refusal());
             default:
               return Geometries::outline_of_abaqus(content, dim, refusal());
           }
@@ -273,7 +281,7 @@ namespace Thalweg
         throw dealii::ExcMessage(
           refusal() +
           ". Is it complete, in ASCII, and made of cells of this "
-          "dimension? deal.II says:\n" +
+          "dimension? What went wrong: " +
           bounded_message(fault, 1000));
       }
 

@@ -67,12 +67,26 @@ namespace Thalweg
 
 
     std::string
-    Words::rest_of_line()
+    Words::rest_of_line(const bool ends_it)
     {
       line_number             = next_line;
       const std::size_t begin = position;
       position                = std::min(text.find('\n', begin), text.size());
-      return text.substr(begin, position - begin);
+      const std::string line  = text.substr(begin, position - begin);
+      if (ends_it && position < text.size())
+        {
+          ++position;
+          ++next_line;
+        }
+      return line;
+    }
+
+
+    void
+    Words::skip_to(const std::size_t place)
+    {
+      for (; position < std::min(place, text.size()); ++position)
+        next_line += text[position] == '\n';
     }
 
 

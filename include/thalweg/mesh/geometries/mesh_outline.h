@@ -99,6 +99,21 @@ namespace Thalweg
     MeshOutline
     outline_of_unv(const std::string &text, const std::string &refusal);
 
+    /// The outline of a mesh of @p dim dimensions in the format of libMesh, of
+    /// BAMG, or of Tecplot, of which only the cells of zones of finite elements
+    /// are looked at, with points that are all the same.
+    /// @throws dealii::ExcMessage for files that cannot be understood
+    MeshOutline
+    outline_of_xda(const std::string &text,
+                   const unsigned int dim,
+                   const std::string &refusal);
+    MeshOutline
+    outline_of_dbmesh(const std::string &text, const std::string &refusal);
+    MeshOutline
+    outline_of_tecplot(const std::string &text,
+                       const unsigned int dim,
+                       const std::string &refusal);
+
     /// The nodes and elements of a file of Abaqus for a mesh of @p dim
     /// dimensions. Its sets and surfaces are not looked at.
     /// @throws dealii::ExcMessage for files that cannot be understood

@@ -29,9 +29,14 @@ namespace Thalweg
       std::string
       next(const std::string &name);
 
-      /// What follows up to the end of the line.
+      /// What follows up to the end of the line. @param ends_it whether to go
+      /// to the next one
       std::string
-      rest_of_line();
+      rest_of_line(const bool ends_it = false);
+
+      /// Goes on at a later place in the text.
+      void
+      skip_to(const std::size_t place);
 
       /// The next word, which is @p word.
       void

@@ -211,7 +211,7 @@ namespace Thalweg
                                            "Refinement/Local levels"),
                     mesh.local_refinement.find_first_of("xyz") ==
                       std::string::npos,
-                    memory.most_cells()));
+                    1.1 * memory.most_cells()));
   }
 
 

@@ -157,11 +157,11 @@ TEST(Gmsh, FaultsAreToldWithTheirLines)
             "It: in line 2 it says that it is binary; save it in ASCII (in "
             "Gmsh: 'Mesh.Binary = 0;').");
   EXPECT_EQ(fault("1 4 1 4\n", "1 -4 1 4\n"),
-            "It: in line 23 the number of nodes is '-4', but must be a whole "
+            "It: in line 24 the number of nodes is '-4', but must be a whole "
             "number from 0 to 9223372036854775807.");
   EXPECT_EQ(fault("5 1 2 3 4", "5 1 2 3 3"),
-            "It: in line 43 the element 5 has the node 3 twice.");
+            "It: in line 46 the element 5 has the node 3 twice.");
   EXPECT_EQ(fault("1 0 0\n1 1 0", "1 0\n1 1 0"),
-            "It: in line 32 a coordinate is '$EndNodes', but must be a finite "
+            "It: in line 34 a coordinate is '$EndNodes', but must be a finite "
             "number.");
 }

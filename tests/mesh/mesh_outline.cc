@@ -79,7 +79,7 @@ TEST(MeshOutline, TellsWhatIsWrongInFiles)
             "a whole number from 4 to 4.");
   EXPECT_EQ(fault(outline_of_vtk, square_in_vtk, "POINTS 4", "POINTS 4000"),
             "It: in line 5 the number of points is 4000, but the rest of the "
-            "file has room for 12 at the most.");
+            "file has room for 13 at the most.");
   EXPECT_EQ(fault(outline_of_ucd, square_in_ucd, "quad", "quadr"),
             "It: in line 8 stands an element of the type 'quadr', which is not "
             "supported.");
@@ -126,7 +126,7 @@ TEST(MeshOutline, IsReadFromFilesWithoutBoundaries)
             "It: in line 12 an element has the node 4, but there is no node of "
             "this number.");
   EXPECT_EQ(fault(outline_of_dbmesh, dbmesh, "1 2 3 4 0", "1 2 3 0 0"),
-            "It: in line 21 an element has the node 0, but there is no node of "
+            "It: in line 23 an element has the node 0, but there is no node of "
             "this number.");
   EXPECT_EQ(fault(read_tecplot, tecplot, "1 2 3 4", "1 2 3 77"),
             "It: in line 8 an element has the node 77, but there is no node of "

@@ -259,6 +259,11 @@ namespace Thalweg
       {
         if (dim == 2)
           Geometries::check_plane(outline.points_of_cells(2), what());
+        if (!is_divided && !outline.has_only_cubes(dim))
+          Geometries::refuse_shapes(what(), dim);
+        if (const std::string cell = dim == 2 ? outline.first_twisted() : "";
+            !cell.empty())
+          Geometries::refuse_cell(what(), cell);
         Geometries::check_outline(outline, dim, refusal());
       }
 

@@ -282,6 +282,62 @@ namespace Thalweg
 
 
 
+    bool
+    MeshOutline::has_only_cubes(const unsigned int dimension) const
+    {
+      return std::all_of(elements.begin(),
+                         elements.end(),
+                         [dimension](const Element &element) {
+                           return dimension_of(element.shape) != dimension ||
+                                  element.shape == Shape::quadrilateral ||
+                                  element.shape == Shape::hexahedron;
+                         });
+    }
+
+
+
+    namespace
+    {
+      /// Whether a quadrilateral of x and y turns left and right.
+      bool
+      is_twisted(const MeshOutline &outline, const Nodes &nodes)
+      {
+        bool left = false, right = false;
+        for (unsigned int n = 0; n < 4; ++n)
+          {
+            const auto  &point = outline.points[nodes[n]];
+            const auto   to    = outline.points[nodes[(n + 1) % 4]] - point;
+            const auto   from  = point - outline.points[nodes[(n + 3) % 4]];
+            const double turn  = from[0] * to[1] - from[1] * to[0];
+            left               = left || turn > 0.;
+            right              = right || turn < 0.;
+          }
+        return left && right;
+      }
+    } // namespace
+
+
+
+    std::string
+    MeshOutline::first_twisted() const
+    {
+      unsigned int n = 0;
+      for (const Element &element : elements)
+        if (dimension_of(element.shape) == 3)
+          return "";
+        else if (dimension_of(element.shape) == 2)
+          {
+            if (element.shape == Shape::quadrilateral &&
+                is_twisted(*this, element.nodes))
+              return std::to_string(n) + " with its centre at " +
+                     place_of(*this, element.nodes);
+            ++n;
+          }
+      return "";
+    }
+
+
+
     std::vector<dealii::Point<3>>
     MeshOutline::points_of_cells(const unsigned int dimension) const
     {

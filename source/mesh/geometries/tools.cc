@@ -148,6 +148,19 @@ namespace Thalweg
         "mesh.");
     }
 
+    void
+    refuse_shapes(const std::string &what, const unsigned int dim)
+    {
+      throw dealii::ExcMessage(
+        what + " has cells that are not " +
+        (dim == 2 ? "quadrilaterals" : "hexahedra") +
+        ", which are the only ones supported, whatever 'Partition/Model' is. "
+        "Set 'Geometry/file/Divide cells = true', or let the mesh generator "
+        "recombine them (in Gmsh: 'Mesh.RecombineAll = 1; "
+        "Mesh.SubdivisionAlgorithm = " +
+        (dim == 2 ? "1" : "2") + ";').");
+    }
+
     template <int dim>
     void
     orient_cells(dealii::Triangulation<dim> &mesh)
@@ -212,16 +225,8 @@ namespace Thalweg
                                      std::to_string(dim) +
                                      " dimensions. Does the parameter "
                                      "'Dimension' fit the mesh?"));
-      AssertThrow(source.all_reference_cells_are_hyper_cube(),
-                  dealii::ExcMessage(
-                    what + " has cells that are not " +
-                    (dim == 2 ? "quadrilaterals" : "hexahedra") +
-                    ", which are the only ones supported, whatever "
-                    "'Partition/Model' is. Set 'Geometry/file/Divide cells = "
-                    "true', or let the mesh generator recombine them (in "
-                    "Gmsh: 'Mesh.RecombineAll = 1; "
-                    "Mesh.SubdivisionAlgorithm = " +
-                    (dim == 2 ? "1" : "2") + ";')."));
+      if (!source.all_reference_cells_are_hyper_cube())
+        refuse_shapes(what, dim);
       AssertThrow(source.n_levels() == 1,
                   dealii::ExcMessage(what +
                                      " is refined, but a coarse mesh must "

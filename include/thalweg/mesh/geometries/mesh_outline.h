@@ -70,6 +70,15 @@ namespace Thalweg
       unsigned int
       index(const Words &words, const std::int64_t number) const;
 
+      /// Whether all elements of @p dimension are quadrilaterals or hexahedra.
+      bool
+      has_only_cubes(const unsigned int dimension) const;
+
+      /// The first plane quadrilateral that is not convex, its number among the
+      /// elements of two dimensions and its place; empty: there is none.
+      std::string
+      first_twisted() const;
+
       /// The nodes of the elements of @p dimension, some more than once.
       std::vector<dealii::Point<3>>
       points_of_cells(const unsigned int dimension) const;

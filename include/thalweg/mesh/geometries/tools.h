@@ -99,6 +99,11 @@ namespace Thalweg
     [[noreturn]] void
     refuse_cell(const std::string &what, const std::string &cell);
 
+    /// Throws a message that cells of the mesh @p what are neither
+    /// quadrilaterals nor hexahedra.
+    [[noreturn]] void
+    refuse_shapes(const std::string &what, const unsigned int dim);
+
     /// What deal.II says in @p exception, without the place in its sources.
     std::string
     reason(const std::exception &exception);

@@ -1,5 +1,7 @@
 #include <thalweg/core/plain_text.h>
 
+#include <algorithm>
+
 namespace Thalweg
 {
   namespace
@@ -88,14 +90,15 @@ namespace Thalweg
     std::string whole = visible(text, 0, longest, false, end);
     if (end == text.size())
       return whole;
-    const std::string head  = visible(text, 0, longest / 2, false, end);
-    std::size_t       begin = text.size() - longest / 4;
+    const std::string head = visible(text, 0, longest / 2, false, end);
+    std::size_t       begin =
+      std::max(end, text.size() - std::min(text.size(), longest / 4));
     // Not into the middle of a character.
     while (begin < text.size() && (byte(text, begin) & 0xc0) == 0x80)
       ++begin;
     std::size_t       tail_end;
     const std::string tail = visible(text, begin, longest, false, tail_end);
-    return head + left_out(begin - end) + tail;
+    return head + (begin > end ? left_out(begin - end) : "") + tail;
   }
 
 

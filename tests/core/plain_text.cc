@@ -36,6 +36,11 @@ TEST(PlainText, CutsWhatIsTooLong)
   const std::string text = std::string(500, 'a') + std::string(500, 'z');
   const std::string cut  = excerpt(text, 40);
   EXPECT_EQ(cut, "aaaaaaaaaaaaaaaaaaaa[... 970 bytes ...]zzzzzzzzzz");
+  // What is short, but not when it is shown.
+  std::string shown;
+  for (unsigned int i = 0; i < 41; ++i)
+    shown += "\\x01";
+  EXPECT_EQ(excerpt(std::string(41, '\1'), 160), shown);
   EXPECT_EQ(bounded_message(text, 10), "aaaaaaaaaa[... 990 bytes ...]");
   EXPECT_EQ(bounded_message("aaaaaaaaaaä", 11), "aaaaaaaaaa[... 2 bytes ...]");
 }

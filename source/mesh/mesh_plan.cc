@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace Thalweg
@@ -165,8 +166,17 @@ namespace Thalweg
     parameters.geometry->create(tria);
     names = parameters.geometry->boundary_names();
     periodic.clear();
+    std::set<dealii::types::boundary_id> joined;
     for (const std::string &pair : parameters.periodic_boundaries)
-      periodic.push_back(find_periodic_pair(tria, pair));
+      {
+        periodic.push_back(find_periodic_pair(tria, pair));
+        for (const auto id : {periodic.back().first, periodic.back().second})
+          AssertThrow(joined.insert(id).second,
+                      dealii::ExcMessage(
+                        "'Geometry/Periodic boundaries' names the boundary '" +
+                        boundary_name(names, id) +
+                        "' more than once; it can have one partner only."));
+      }
     check_periodic_faces(tria);
     join_periodic_boundaries(tria);
     checksum = checksum_of_coarse(tria);

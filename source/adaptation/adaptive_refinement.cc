@@ -1,5 +1,6 @@
 #include <thalweg/adaptation/adaptive_refinement.h>
 #include <thalweg/adaptation/flag_setting.h>
+#include <thalweg/mesh/cell_count.h>
 
 #include <algorithm>
 #include <set>
@@ -12,7 +13,6 @@ namespace Thalweg
     using dealii::Patterns::Integer;
     using dealii::Patterns::Selection;
 
-    constexpr int highest_level = 20;
 
     const std::map<std::string, MarkingStrategy> strategies{
       {"fraction of cells", MarkingStrategy::fraction_of_cells},
@@ -105,12 +105,12 @@ namespace Thalweg
                 "",
                 "No cell is coarser; the coarse mesh has level 0, and 'Global "
                 "levels' is where the run starts.",
-                Integer(0, highest_level));
+                Integer(0, highest_level<dim>));
     section.add("Maximum level",
                 levels.maximum,
                 "",
                 "No cell is finer.",
-                Integer(0, highest_level));
+                Integer(0, highest_level<dim>));
     section.add("Initial adaptations",
                 initial_adaptations_,
                 "",

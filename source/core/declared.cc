@@ -80,25 +80,24 @@ namespace Thalweg
     boost::property_tree::ptree tree;
     boost::property_tree::read_json(json, tree);
     collect(tree, "", *this);
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+      index[parameters[i].path] = i;
+    known_sections.insert(sections.begin(), sections.end());
   }
 
 
   const DeclaredParameter *
   Declared::parameter(const std::string &path) const
   {
-    const auto found = std::find_if(parameters.begin(),
-                                    parameters.end(),
-                                    [&path](const DeclaredParameter &declared) {
-                                      return declared.path == path;
-                                    });
-    return found == parameters.end() ? nullptr : &*found;
+    const auto found = index.find(path);
+    return found == index.end() ? nullptr : &parameters[found->second];
   }
 
 
   bool
   Declared::has_section(const std::string &path) const
   {
-    return std::find(sections.begin(), sections.end(), path) != sections.end();
+    return known_sections.count(path) > 0;
   }
 
 

@@ -1,12 +1,15 @@
 #include <thalweg/core/errors.h>
+#include <thalweg/core/plain_text.h>
 #include <thalweg/core/spelling.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace Thalweg
@@ -38,6 +41,35 @@ namespace Thalweg
     }
 
 
+    /// Says what MPI says, and ends all processes.
+    void
+    fail_in_mpi(MPI_Comm *communicator, int *code, ...)
+    {
+      char text[MPI_MAX_ERROR_STRING] = "";
+      int  length                     = 0;
+      MPI_Error_string(*code, text, &length);
+      std::cerr << "Error on process "
+                << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
+                << ": the processes cannot communicate any more. MPI says: "
+                << bounded_message(text)
+                << "\nHas one of them been killed, or has memory run out?"
+                << std::endl;
+      MPI_Abort(*communicator, 1);
+    }
+
+
+    /// Lets MPI's faults be reported in words on @p communicator and on what
+    /// is made of it.
+    void
+    explain_mpi(const MPI_Comm communicator)
+    {
+      MPI_Errhandler handler;
+      MPI_Comm_create_errhandler(fail_in_mpi, &handler);
+      MPI_Comm_set_errhandler(communicator, handler);
+      MPI_Errhandler_free(&handler);
+    }
+
+
     /// Reports @p message and takes the other processes down.
     void
     fail(const MPI_Comm communicator, const std::string &message)
@@ -50,7 +82,7 @@ namespace Thalweg
       if (!together || rank == 0)
         std::cerr << "Error"
                   << (together ? "" : " on process " + std::to_string(rank))
-                  << ": " << message << std::endl;
+                  << ": " << bounded_message(message) << std::endl;
       if (!together)
         MPI_Abort(communicator, 1);
     }
@@ -74,6 +106,16 @@ namespace Thalweg
     if (dynamic_cast<const std::bad_alloc *>(&exception) != nullptr)
       return "The memory of this machine does not suffice. Use fewer cells or "
              "particles, or more machines.";
+    if (const auto *file =
+          dynamic_cast<const std::filesystem::filesystem_error *>(&exception))
+      return "'" + file->path1().string() +
+             "' cannot be used: " + file->code().message() + ".";
+    if (dynamic_cast<const std::logic_error *>(&exception) != nullptr)
+      return std::string("Something that must not happen has happened inside "
+                         "of the program ('") +
+             exception.what() +
+             "'). Please report this with the input, and look whether it has "
+             "something unusual.";
     return exception.what();
   }
 
@@ -83,6 +125,7 @@ namespace Thalweg
   {
     // A communicator of its own: messages that were under way when the
     // failure came cannot be mistaken for those that settle it.
+    explain_mpi(communicator);
     MPI_Comm own;
     MPI_Comm_dup(communicator, &own);
     int code = 1;

@@ -2,17 +2,24 @@
 #include <thalweg/core/errors.h>
 #include <thalweg/core/parameter_file.h>
 #include <thalweg/core/pattern_words.h>
+#include <thalweg/core/plain_text.h>
 #include <thalweg/core/spelling.h>
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace Thalweg
 {
   namespace
   {
+    /// To find what was meant takes a while; after so many faults nobody reads
+    /// on.
+    constexpr std::size_t most_suggestions = 30;
+
+
     /// What is wrong with the section names in @p lines. The contents of an
     /// unknown section are not looked at: one fault is enough.
     std::vector<std::string>
@@ -21,7 +28,7 @@ namespace Thalweg
       std::vector<std::string> faults;
       for (const InputSection &section : lines.sections)
         {
-          const std::string parent = parent_of(section.path);
+          const std::string &parent = section.parent;
           if (declared.has_section(section.path) ||
               (!parent.empty() && !declared.has_section(parent)))
             continue;
@@ -34,7 +41,7 @@ namespace Thalweg
             fault += "; is an 'end' missing before it? '" +
                      leaf_of(section.path) + "' exists outside of '" + parent +
                      "'";
-          else
+          else if (faults.size() < most_suggestions)
             fault += did_you_mean(declared.nearest_section(section.path));
           faults.push_back(fault);
         }
@@ -44,10 +51,14 @@ namespace Thalweg
 
     /// What is wrong with @p entry, given that no parameter is called so.
     std::string
-    unknown_parameter(const InputEntry &entry, const Declared &declared)
+    unknown_parameter(const InputEntry &entry,
+                      const Declared   &declared,
+                      const bool        suggests)
     {
       const std::string fault =
-        entry.place + ": unknown parameter '" + entry.path + "'";
+        entry.place + ": unknown parameter '" + excerpt(entry.path) + "'";
+      if (!suggests)
+        return fault;
       if (declared.has_section(entry.path))
         return fault + "; it is a section, write 'subsection " +
                leaf_of(entry.path) + "'";
@@ -60,18 +71,18 @@ namespace Thalweg
     std::vector<std::string>
     repeated(const std::vector<InputEntry> &entries)
     {
-      std::vector<std::string> faults;
-      for (auto entry = entries.begin(); entry != entries.end(); ++entry)
+      std::vector<std::string>                                          faults;
+      std::map<std::pair<std::string, std::string>, const InputEntry *> earlier;
+      for (const InputEntry &entry : entries)
         {
-          const auto earlier = std::find_if(
-            entries.begin(), entry, [&entry](const InputEntry &other) {
-              return other.path == entry->path && other.file == entry->file;
-            });
-          if (earlier != entry)
-            faults.push_back(entry->place + ": '" + entry->path +
-                             "' is set twice, first to '" + earlier->value +
-                             "' (" + earlier->place + ") and now to '" +
-                             entry->value + "'; remove one of them");
+          const auto [first, is_new] =
+            earlier.insert({{entry.path, entry.file}, &entry});
+          if (!is_new)
+            faults.push_back(entry.place + ": '" + excerpt(entry.path) +
+                             "' is set twice, first to '" +
+                             excerpt(first->second->value) + "' (" +
+                             first->second->place + ") and now to '" +
+                             excerpt(entry.value) + "'; remove one of them");
         }
       return faults;
     }
@@ -110,18 +121,17 @@ namespace Thalweg
     std::string
     set_or_fault(dealii::ParameterHandler &prm,
                  const InputEntry         &entry,
-                 const Declared           &declared)
+                 const Declared           &declared,
+                 const bool                suggests)
     {
       const DeclaredParameter *parameter = declared.parameter(entry.path);
-      const std::string        section   = parent_of(entry.path);
       if (parameter == nullptr)
         // The fault of an unknown section in a file is told only once.
-        return entry.file.empty() || section.empty() ||
-                   declared.has_section(section)
-                 ? unknown_parameter(entry, declared)
+        return entry.section.empty() || declared.has_section(entry.section)
+                 ? unknown_parameter(entry, declared, suggests)
                  : "";
-      const std::string what =
-        entry.place + ": '" + entry.path + "' is '" + entry.value + "', but ";
+      const std::string what = entry.place + ": '" + entry.path + "' is '" +
+                               excerpt(entry.value) + "', but ";
       try
         {
           set(prm, entry);
@@ -135,7 +145,10 @@ namespace Thalweg
         {
           return what + "that cannot be used: " + message_of(exception);
         }
-      return "";
+      const std::string twice = repeated_in(parameter->pattern, entry.value);
+      return twice.empty()
+               ? ""
+               : what + "that has '" + twice + "' twice; remove one of them";
     }
   } // namespace
 
@@ -155,14 +168,14 @@ namespace Thalweg
   ParameterFile::override(const std::string &assignment)
   {
     const std::size_t equals = assignment.find('=');
-    const std::string place  = "--set '" + assignment + "'";
+    const std::string place  = "--set '" + excerpt(assignment) + "'";
     const std::string path   = trimmed(assignment.substr(0, equals));
     if (equals == std::string::npos || path.empty())
       lines.faults.push_back(place +
                              ": write --set 'Section/Subsection/Name=value'");
     else
       overrides.push_back(
-        {path, trimmed(assignment.substr(equals + 1)), place, ""});
+        {path, trimmed(assignment.substr(equals + 1)), place, "", ""});
   }
 
 
@@ -191,13 +204,23 @@ namespace Thalweg
     for (const auto *entries : {&lines.entries, &overrides})
       {
         for (const InputEntry &entry : *entries)
-          if (const std::string fault = set_or_fault(prm, entry, declared);
+          if (const std::string fault = set_or_fault(
+                prm, entry, declared, faults.size() < most_suggestions);
               !fault.empty())
             faults.push_back(fault);
         add(repeated(*entries));
       }
     return faults;
   }
+
+
+
+  namespace
+  {
+    /// Of a message that lists faults, so that all of it is shown.
+    constexpr std::size_t longest_fault = 1000;
+    constexpr std::size_t longest_list  = longest_message - longest_fault - 50;
+  } // namespace
 
 
 
@@ -210,8 +233,11 @@ namespace Thalweg
       faults.size() == 1
         ? "The input has a fault:"
         : "The input has " + std::to_string(faults.size()) + " faults:";
-    for (const std::string &fault : faults)
-      message += "\n  " + fault;
+    std::size_t n = 0;
+    for (; n < faults.size() && message.size() < longest_list; ++n)
+      message += "\n  " + bounded_message(faults[n], longest_fault);
+    if (n < faults.size())
+      message += "\n  and " + std::to_string(faults.size() - n) + " more";
     AssertThrow(false, dealii::ExcMessage(message));
   }
 } // namespace Thalweg

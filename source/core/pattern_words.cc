@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace Thalweg
@@ -225,6 +226,23 @@ namespace Thalweg
         if (const std::string name = nearest_in(pattern.parts.at(0), item);
             !name.empty())
           return name;
+    return "";
+  }
+
+
+
+  std::string
+  repeated_in(const std::string &description, const std::string &value)
+  {
+    const Description pattern(description);
+    if (pattern.kind != "List" ||
+        Description(pattern.parts.at(0)).kind != "Selection")
+      return "";
+    std::set<std::string> names;
+    for (const std::string &name :
+         dealii::Utilities::split_string_list(value, separator(pattern, ",")))
+      if (!names.insert(name).second)
+        return name;
     return "";
   }
 } // namespace Thalweg

@@ -40,6 +40,12 @@ namespace Thalweg
     std::string  best;
     for (const std::string &candidate : candidates)
       {
+        // So many letters must be added at least.
+        const std::size_t more = text.size() < candidate.size()
+                                   ? candidate.size() - text.size()
+                                   : text.size() - candidate.size();
+        if (more >= smallest)
+          continue;
         const unsigned int distance = edit_distance(text, candidate);
         if (distance < smallest && distance < candidate.size())
           {

@@ -1,3 +1,4 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/boundary_conditions.h>
 #include <thalweg/fields/expression.h>
@@ -35,6 +36,24 @@ namespace Thalweg
                               dealii::Utilities::trim(entry.substr(colon + 1)));
         }
       return result;
+    }
+
+
+
+    /// The boundary that a condition names.
+    template <int dim>
+    dealii::types::boundary_id
+    id_of(const Mesh<dim> &mesh, const std::string &name)
+    {
+      try
+        {
+          return mesh.boundary_id(name);
+        }
+      catch (const dealii::ExcMessage &exception)
+        {
+          throw dealii::ExcMessage(message_of(exception) + " See '" +
+                                   section_name + "'.");
+        }
     }
 
 
@@ -197,9 +216,8 @@ namespace Thalweg
                       "' is that of the whole boundary: it may depend on t, "
                       "but not on x, y or z as '" +
                       expression + "' does. For a profile write 'Velocity'."));
-        const auto area = vector_area(mesh, mesh.boundary_id(name));
-        AssertThrow(area.norm() >
-                      closed * scalar_area(mesh, mesh.boundary_id(name)),
+        const auto area = vector_area(mesh, id_of(mesh, name));
+        AssertThrow(area.norm() > closed * scalar_area(mesh, id_of(mesh, name)),
                     dealii::ExcMessage(
                       "The boundary '" + name +
                       "' is closed in itself, so that its 'Flow rate' has no "
@@ -234,7 +252,7 @@ namespace Thalweg
           dealii::Utilities::trim(entry.substr(0, colon));
         const std::string value =
           dealii::Utilities::trim(entry.substr(colon + 1));
-        const auto condition = conditions.find(mesh.boundary_id(name));
+        const auto condition = conditions.find(id_of(mesh, name));
         AssertThrow(condition != conditions.end() &&
                       condition->second.function != nullptr,
                     dealii::ExcMessage(
@@ -282,7 +300,7 @@ namespace Thalweg
                                const std::string &name,
                                Condition          condition)
   {
-    const auto id = mesh.boundary_id(name);
+    const auto id = id_of(mesh, name);
     for (const auto &pair : mesh.periodic_pairs())
       AssertThrow(pair.first != id && pair.second != id,
                   dealii::ExcMessage("The boundary '" + name +

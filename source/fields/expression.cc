@@ -1,3 +1,4 @@
+#include <thalweg/core/plain_text.h>
 #include <thalweg/fields/expression.h>
 
 #include <deal.II/base/utilities.h>
@@ -94,7 +95,7 @@ namespace Thalweg
       AssertThrow(false,
                   dealii::ExcMessage(
                     "The comma of '" + found + "' in the expression '" + where +
-                    " = " + text +
+                    " = " + excerpt(text) +
                     "' separates no arguments of a function. Decimals are "
                     "written with a point: '" +
                     corrected + "'; components are separated by semicolons."));
@@ -161,16 +162,15 @@ namespace Thalweg
                    const unsigned int n_components,
                    const std::string &where)
   {
-    const auto components = dealii::Utilities::split_string_list(text, ';');
+    const auto components   = dealii::Utilities::split_string_list(text, ';');
+    const std::string shown = where + " = " + excerpt(text);
     AssertThrow(components.size() == n_components,
-                dealii::ExcMessage("'" + where + " = " + text + "' has " +
-                                   std::to_string(components.size()) +
-                                   " expressions, but " +
-                                   std::to_string(n_components) +
-                                   " are needed, separated by semicolons."));
+                dealii::ExcMessage(
+                  "'" + shown + "' has " + std::to_string(components.size()) +
+                  " expressions, but " + std::to_string(n_components) +
+                  " are needed, separated by semicolons."));
     check_commas(text, where);
-    auto function =
-      std::make_unique<FiniteFunction<dim>>(n_components, where + " = " + text);
+    auto function = std::make_unique<FiniteFunction<dim>>(n_components, shown);
     std::string reason;
     {
       const SilentErrors errors;
@@ -195,8 +195,8 @@ namespace Thalweg
     }
     AssertThrow(reason.empty(),
                 dealii::ExcMessage(
-                  "The expression '" + where + " = " + text +
-                  "' cannot be understood: " + reason +
+                  "The expression '" + shown +
+                  "' cannot be understood: " + bounded_message(reason, 500) +
                   ". Expressions know x, y" + (dim == 3 ? ", z" : "") +
                   ", t, pi and the functions of muParser, as in "
                   "'if(x < 0.5, 1, sin(2*pi*t))'."));

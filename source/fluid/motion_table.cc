@@ -1,11 +1,12 @@
+#include <thalweg/core/plain_text.h>
 #include <thalweg/core/spelling.h>
+#include <thalweg/core/text_file.h>
 #include <thalweg/fluid/motion_table.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace Thalweg
@@ -38,15 +39,15 @@ namespace Thalweg
                     place +
                     ": the first line must name the columns, 't' and "
                     "then some of " +
-                    joined(allowed, ", ") + "; it is '" + joined(names, " ") +
-                    "'."));
+                    joined(allowed, ", ") + "; it is '" +
+                    excerpt(joined(names, " ")) + "'."));
       for (unsigned int c = 1; c < names.size(); ++c)
         {
           AssertThrow(std::find(allowed.begin(), allowed.end(), names[c]) !=
                         allowed.end(),
-                      dealii::ExcMessage(place + ": unknown column '" +
-                                         names[c] + "'; it may be one of " +
-                                         joined(allowed, ", ") + "."));
+                      dealii::ExcMessage(
+                        place + ": unknown column '" + excerpt(names[c]) +
+                        "'; it may be one of " + joined(allowed, ", ") + "."));
           AssertThrow(std::count(names.begin(), names.end(), names[c]) == 1,
                       dealii::ExcMessage(place + ": two columns are called '" +
                                          names[c] + "'."));
@@ -68,7 +69,7 @@ namespace Thalweg
           end = 0;
         }
       AssertThrow(end == word.size() && std::isfinite(value),
-                  dealii::ExcMessage(place + ": '" + word +
+                  dealii::ExcMessage(place + ": '" + excerpt(word) +
                                      "' is not a number."));
       return value;
     }
@@ -102,17 +103,20 @@ namespace Thalweg
                     const double                    end,
                     const std::string              &where)
   {
-    std::ifstream stream(path);
-    AssertThrow(stream,
-                dealii::ExcMessage("The file '" + path + "' of '" + where +
-                                   "' cannot be read."));
+    const std::string what =
+      "The table '" + excerpt(path) + "' of '" + where + "'";
+    constexpr std::size_t most_bytes = 100000000;
+    std::istringstream    stream(
+      plain_lines(read_text_file(with_home(path), what, most_bytes).content,
+                  what));
     std::vector<std::string>         names;
     std::vector<std::vector<double>> columns;
     unsigned int                     line_number = 0;
     for (std::string line; std::getline(stream, line);)
       {
-        const std::string place = path + ":" + std::to_string(++line_number);
-        const auto        words = words_of(line);
+        const std::string place =
+          excerpt(path) + ":" + std::to_string(++line_number);
+        const auto words = words_of(line);
         if (words.empty())
           continue;
         if (names.empty())
@@ -135,9 +139,8 @@ namespace Thalweg
                                        ": the time must grow from row to "
                                        "row."));
       }
-    const std::string file = "The table '" + path + "' of '" + where + "'";
-    AssertThrow(!names.empty(), dealii::ExcMessage(file + " is empty."));
-    check_times(columns[0], end, file);
+    AssertThrow(!names.empty(), dealii::ExcMessage(what + " is empty."));
+    check_times(columns[0], end, what);
     std::map<std::string, std::vector<double>> table;
     for (unsigned int c = 0; c < names.size(); ++c)
       table[names[c]] = columns[c];

@@ -1,4 +1,7 @@
+#include <thalweg/core/plain_text.h>
+#include <thalweg/core/spelling.h>
 #include <thalweg/mesh/boundary_name.h>
+#include <thalweg/mesh/cell_count.h>
 #include <thalweg/mesh/cell_graph.h>
 #include <thalweg/mesh/mesh_plan.h>
 
@@ -6,8 +9,10 @@
 #include <deal.II/base/utilities.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <boost/crc.hpp>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace Thalweg
@@ -42,7 +47,8 @@ namespace Thalweg
       message << "'Refinement/Local levels' is " << level << " at (" << x
               << "). It must be a finite number everywhere.";
       AssertThrow(std::isfinite(level), dealii::ExcMessage(message.str()));
-      return level;
+      // More is refused beforehand, where that is known.
+      return std::clamp<double>(level, -highest_level<dim>, highest_level<dim>);
     }
 
 
@@ -89,13 +95,21 @@ namespace Thalweg
                   global_refinement,
                   "",
                   "How often every cell of the coarse mesh is refined.",
-                  dealii::Patterns::Integer(0, 20));
+                  dealii::Patterns::Integer(0, highest_level<dim>));
       section.add("Local levels",
                   local_refinement,
                   "",
                   "How often a cell is refined beyond the global levels: an "
                   "expression of the cell's centre, for example "
                   "'if(y < 0.3, 2, 0)'.");
+      section.add(
+        "Memory limit",
+        memory_limit,
+        "GB",
+        "A mesh is refused before it is made if its cells and "
+        "particles need more memory, as far as that can be estimated. "
+        "0: as much as the machines have.",
+        dealii::Patterns::Double(0.));
     }
     {
       const Section section = root.enter("Partition");
@@ -114,12 +128,15 @@ namespace Thalweg
     const auto entry = names.find(name);
     if (entry != names.end())
       return entry->second;
-    std::string all;
+    std::vector<std::string> all;
     for (const auto &[existing, id] : names)
-      all += (all.empty() ? "'" : ", '") + existing + "'";
+      all.push_back(existing);
+    const std::string suggestion = nearest(name, all);
     AssertThrow(false,
-                dealii::ExcMessage("There is no boundary '" + name +
-                                   "'. The geometry has " + all + "."));
+                dealii::ExcMessage(
+                  "There is no boundary '" + excerpt(name) +
+                  "'. The geometry has '" + joined(all, "', '") + "'" +
+                  (suggestion.empty() ? "." : did_you_mean(suggestion))));
     return dealii::numbers::invalid_boundary_id;
   }
 
@@ -149,8 +166,17 @@ namespace Thalweg
     parameters.geometry->create(tria);
     names = parameters.geometry->boundary_names();
     periodic.clear();
+    std::set<dealii::types::boundary_id> joined;
     for (const std::string &pair : parameters.periodic_boundaries)
-      periodic.push_back(find_periodic_pair(tria, pair));
+      {
+        periodic.push_back(find_periodic_pair(tria, pair));
+        for (const auto id : {periodic.back().first, periodic.back().second})
+          AssertThrow(joined.insert(id).second,
+                      dealii::ExcMessage(
+                        "'Geometry/Periodic boundaries' names the boundary '" +
+                        boundary_name(names, id) +
+                        "' more than once; it can have one partner only."));
+      }
     check_periodic_faces(tria);
     join_periodic_boundaries(tria);
     checksum = checksum_of_coarse(tria);

@@ -5,6 +5,8 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/numerics/rtree.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -26,6 +28,7 @@ namespace Thalweg
 
       /// Corners, around the face.
       std::array<dealii::Point<dim>, n_vertices> corners;
+      std::array<unsigned int, n_vertices>       vertices; ///< of the mesh
       dealii::Point<dim>                         center;
       dealii::Tensor<1, dim>                     normal; ///< outward
       double                                     tolerance;
@@ -62,7 +65,10 @@ namespace Thalweg
             {
               EndFace<dim> face;
               for (unsigned int v = 0; v < face.n_vertices; ++v)
-                face.corners[v] = cell->face(f)->vertex(v ^ (v >> 1));
+                {
+                  face.corners[v]  = cell->face(f)->vertex(v ^ (v >> 1));
+                  face.vertices[v] = cell->face(f)->vertex_index(v ^ (v >> 1));
+                }
               dealii::Tensor<1, dim> sum;
               for (const auto &corner : face.corners)
                 sum += corner - face.corners[0];
@@ -121,9 +127,10 @@ namespace Thalweg
 
 
 
-    /// The faces that lie on others, both the larger and the smaller ones.
+    /// The faces that lie on others, both the larger and the smaller ones, by
+    /// their indices: for each one those that lie on it.
     template <int dim>
-    std::vector<EndFace<dim>>
+    std::map<unsigned int, std::set<unsigned int>>
     touching_faces(const std::vector<EndFace<dim>> &faces)
     {
       using Entry = std::pair<dealii::BoundingBox<dim>, unsigned int>;
@@ -136,8 +143,8 @@ namespace Thalweg
           box.extend(faces[i].tolerance);
           entries.emplace_back(box, i);
         }
-      const auto             tree = dealii::pack_rtree(entries);
-      std::set<unsigned int> touching;
+      const auto tree = dealii::pack_rtree(entries);
+      std::map<unsigned int, std::set<unsigned int>> touching;
       for (unsigned int i = 0; i < faces.size(); ++i)
         {
           std::vector<Entry> near;
@@ -145,12 +152,30 @@ namespace Thalweg
                      std::back_inserter(near));
           for (const auto &[box, j] : near)
             if (j != i && lies_on(faces[i], faces[j]))
-              touching.insert({i, j});
+              {
+                touching[i];
+                touching[j].insert(i);
+              }
         }
-      std::vector<EndFace<dim>> result;
-      for (const unsigned int i : touching)
-        result.push_back(faces[i]);
-      return result;
+      return touching;
+    }
+
+
+    /// Whether the @p smaller faces that lie on @p face share all its nodes.
+    template <int dim>
+    bool
+    has_hanging_node(const std::vector<EndFace<dim>> &faces,
+                     const EndFace<dim>              &face,
+                     const std::set<unsigned int>    &smaller)
+    {
+      std::set<unsigned int> nodes;
+      for (const unsigned int i : smaller)
+        nodes.insert(faces[i].vertices.begin(), faces[i].vertices.end());
+      return std::all_of(face.vertices.begin(),
+                         face.vertices.end(),
+                         [&nodes](const unsigned int node) {
+                           return nodes.count(node) > 0;
+                         });
     }
   } // namespace
 
@@ -161,22 +186,24 @@ namespace Thalweg
   touching_boundaries(const dealii::Triangulation<dim> &coarse,
                       const BoundaryNames              &names)
   {
-    const auto faces = touching_faces(end_faces(coarse));
-    if (faces.empty())
+    const auto faces    = end_faces(coarse);
+    const auto touching = touching_faces(faces);
+    if (touching.empty())
       return "";
     std::set<dealii::types::boundary_id> ids;
-    for (const auto &face : faces)
-      ids.insert(face.id);
+    for (const auto &[i, others] : touching)
+      ids.insert(faces[i].id);
     std::ostringstream text;
     text.precision(10);
-    text << faces.size() << " boundary faces of the coarse mesh (";
+    text << touching.size() << " boundary faces of the coarse mesh (";
     std::string separator;
     for (const auto id : ids)
       {
         text << separator << "'" << boundary_name(names, id) << "'";
         separator = ", ";
       }
-    text << ") lie on each other, the first at (" << faces.front().center
+    text << ") lie on each other, the first at ("
+         << faces[touching.begin()->first].center
          << "). Nothing flows through there. If it is not meant to be a thin "
             "wall, merge the nodes of the mesh (in Gmsh: 'Coherence;' for the "
             "geometry or 'Coherence Mesh;').";
@@ -185,8 +212,42 @@ namespace Thalweg
 
 
 
+  template <int dim>
+  void
+  refuse_doubled_nodes(const dealii::Triangulation<dim> &coarse,
+                       const std::string                &what)
+  {
+    const auto         faces    = end_faces(coarse);
+    const auto         touching = touching_faces(faces);
+    std::ostringstream why;
+    why.precision(10);
+    for (const auto &[i, smaller] : touching)
+      if (why.str().empty() && has_hanging_node(faces, faces[i], smaller))
+        why
+          << " has a node in the middle of a cell's side, at ("
+          << faces[i].center
+          << "), where two smaller cells meet a larger one. Divide the larger "
+             "one: nodes must be corners of all cells around them.";
+    for (const auto &[i, smaller] : touching)
+      if (why.str().empty() && faces[i].id == 0)
+        why << " has doubled nodes: " << touching.size()
+            << " boundary faces lie on each other, the first at ("
+            << faces[i].center
+            << "), and nothing would flow through there. Merge the nodes (in "
+               "Gmsh: 'Coherence;' for the geometry or 'Coherence Mesh;'), or, "
+               "if this is meant to be a thin wall, give both of its sides a "
+               "boundary number.";
+    AssertThrow(why.str().empty(), dealii::ExcMessage(what + why.str()));
+  }
+
+
+
   template std::string
   touching_boundaries(const dealii::Triangulation<2> &, const BoundaryNames &);
   template std::string
   touching_boundaries(const dealii::Triangulation<3> &, const BoundaryNames &);
+  template void
+  refuse_doubled_nodes(const dealii::Triangulation<2> &, const std::string &);
+  template void
+  refuse_doubled_nodes(const dealii::Triangulation<3> &, const std::string &);
 } // namespace Thalweg

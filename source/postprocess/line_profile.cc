@@ -56,7 +56,7 @@ namespace Thalweg
                     "",
                     "How many equidistant points each line has, the ends "
                     "included.",
-                    dealii::Patterns::Integer(2));
+                    dealii::Patterns::Integer(2, 1000000));
         section.add("Fractions",
                     fractions,
                     "",

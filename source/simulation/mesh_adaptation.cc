@@ -28,6 +28,7 @@ namespace Thalweg
     , parts(parts)
     , postprocessors(postprocessors)
     , view(view)
+    , memory(parameters.memory(context.communicator))
     , weights(Compat::connect_weight<dim>(
         mesh.triangulation(),
         [&balance = parameters.balance](const auto &cell, const auto fate) {
@@ -43,12 +44,29 @@ namespace Thalweg
 
 
   template <int dim>
+  bool
+  MeshAdaptation<dim>::mark(const double dt)
+  {
+    if (!parameters.adaptive.mark(mesh, view(), dt))
+      return false;
+    double n_new = 0.;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        n_new += cell->refine_flag_set()    ? 1 << dim
+                 : cell->coarsen_flag_set() ? 1. / (1 << dim)
+                                            : 1.;
+    memory.check(dealii::Utilities::MPI::sum(n_new, context.communicator));
+    return true;
+  }
+
+
+
+  template <int dim>
   void
   MeshAdaptation<dim>::adapt_to_initial_state()
   {
     const unsigned int n = parameters.adaptive.initial_adaptations();
-    for (unsigned int i = 0; i < n && parameters.adaptive.mark(mesh, view());
-         ++i)
+    for (unsigned int i = 0; i < n && mark(); ++i)
       {
         parameters.balance.count(view());
         parts.particles().handler().clear_particles();
@@ -111,8 +129,7 @@ namespace Thalweg
     const double n_particles =
       is_wanted ? parts.particles().n_global_particles() : 0.;
     // A cell changes by one level at a time.
-    for (unsigned int i = 0; i < most_levels_at_once && is_wanted &&
-                             refinement.mark(mesh, view(), dt);
+    for (unsigned int i = 0; i < most_levels_at_once && is_wanted && mark(dt);
          ++i)
       {
         carry(

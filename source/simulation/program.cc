@@ -2,6 +2,7 @@
 #include <thalweg/core/parameter_file.h>
 #include <thalweg/core/reference.h>
 #include <thalweg/core/section.h>
+#include <thalweg/core/text_file.h>
 #include <thalweg/simulation/program.h>
 #include <thalweg/simulation/run_directory.h>
 #include <thalweg/simulation/settings.h>
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -55,11 +57,12 @@ namespace Thalweg
     template <int dim>
     void
     check(const SimulationParameters<dim> &parameters,
+          const MPI_Comm                   communicator,
           std::vector<std::string>        &faults)
     {
       try
         {
-          parameters.check(faults);
+          parameters.check(faults, communicator);
         }
       catch (const std::exception &exception)
         {
@@ -101,7 +104,7 @@ namespace Thalweg
             print_reference(std::cout, prm, options.parameters);
           return 0;
         }
-      check(parameters, faults);
+      check(parameters, communicator, faults);
       throw_faults(faults);
       if (context.is_root && options.validate)
         for (const std::string &warning : parameters.warnings(true))
@@ -118,10 +121,11 @@ namespace Thalweg
       else if (directory.empty())
         directory =
           "output/" + std::filesystem::path(options.file).stem().string();
+      directory       = with_home(directory);
       context.resumed = options.resume;
       if (context.resumed)
         CheckpointStore::expect_any(directory);
-      prepare_run_directory(context, directory, options.file, prm);
+      prepare_run_directory(context, directory, with_home(options.file), prm);
 
       context.log.line("Thalweg " THALWEG_VERSION ", " +
                        processes(communicator) + "; results go to " +
@@ -151,8 +155,10 @@ namespace Thalweg
       }
     // A dimension that does not exist is reported with the other faults, as
     // those of two dimensions.
-    const ParameterFile input = read_input(options);
-    if (input.value("Dimension", "2") == "3")
+    const ParameterFile input     = read_input(options);
+    int                 dimension = 2;
+    std::istringstream(input.value("Dimension", "2")) >> dimension;
+    if (dimension == 3)
       return run<3>(communicator, options, input);
     return run<2>(communicator, options, input);
   }

@@ -1,4 +1,5 @@
 #include <thalweg/core/declared.h>
+#include <thalweg/core/plain_text.h>
 #include <thalweg/simulation/settings.h>
 
 #include <deal.II/base/utilities.h>
@@ -53,8 +54,8 @@ namespace Thalweg
         if (old == saved.end() || old->second == value)
           continue;
         (is_critical(name) ? difference.critical : difference.others)
-          .push_back("'" + name + "' was '" + old->second + "' and is '" +
-                     value + "'");
+          .push_back("'" + name + "' was '" + excerpt(old->second) +
+                     "' and is '" + excerpt(value) + "'");
       }
     return difference;
   }

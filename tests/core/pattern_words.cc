@@ -83,3 +83,15 @@ TEST(PatternWords, NearestName)
   EXPECT_EQ(nearest_in(List(Selection("front")).description(), "front"), "");
   EXPECT_EQ(nearest_in(Double().description(), "bxo"), "");
 }
+
+
+TEST(PatternWords, NamesThatComeTwice)
+{
+  const dealii::Patterns::List names{dealii::Patterns::Selection("a|b|c d")};
+  EXPECT_EQ(repeated_in(names.description(), "a, c d,b,c d"), "c d");
+  EXPECT_EQ(repeated_in(names.description(), "a, b"), "");
+  EXPECT_EQ(repeated_in(
+              dealii::Patterns::List(dealii::Patterns::Double()).description(),
+              "1, 1"),
+            "");
+}

@@ -106,9 +106,9 @@ TEST(Gmsh, GivenNamesCountBeforeThoseOfTheFile)
 
 TEST(Gmsh, NamesOfOtherDimensionsDoNotCount)
 {
-  std::istringstream volume(names_2d);
-  EXPECT_EQ(Geometries::physical_names(volume, 2, "It"),
-            (std::map<std::string, unsigned int>{{"fluid", 3}}));
+  auto names = Geometries::read_gmsh(version_2(names_2d), "It").names;
+  EXPECT_EQ(names[2], (std::map<std::string, unsigned int>{{"fluid", 3}}));
+  EXPECT_EQ(names[1].size(), 3u);
 }
 
 
@@ -130,4 +130,38 @@ TEST(Gmsh, MeshesFarFromTheOriginAreRead)
   Made<2>        mesh("file", "File name = " + file.path);
   EXPECT_EQ(mesh.error(), "");
   EXPECT_EQ(mesh.mesh.n_active_cells(), 1u);
+}
+
+
+
+TEST(Gmsh, VersionsSayTheSame)
+{
+  const auto old_outline = Geometries::read_gmsh(version_2(""), "It").outline;
+  const auto new_outline = Geometries::read_gmsh(version_4(""), "It").outline;
+  dealii::Tensor<1, 3> offset;
+  EXPECT_EQ(Geometries::gmsh_text(old_outline, 2, offset),
+            Geometries::gmsh_text(new_outline, 2, offset));
+  EXPECT_EQ(offset.norm(), 0.);
+}
+
+
+
+TEST(Gmsh, FaultsAreToldWithTheirLines)
+{
+  const auto fault = [](const std::string &old, const std::string &other) {
+    std::string text = version_4(names_2d);
+    text.replace(text.find(old), old.size(), other);
+    return complaint_of([&]() { Geometries::read_gmsh(text, "It"); });
+  };
+  EXPECT_EQ(fault("4.1 0 8", "4.1 1 8"),
+            "It: in line 2 it says that it is binary; save it in ASCII (in "
+            "Gmsh: 'Mesh.Binary = 0;').");
+  EXPECT_EQ(fault("1 4 1 4\n", "1 -4 1 4\n"),
+            "It: in line 24 the number of nodes is '-4', but must be a whole "
+            "number from 0 to 9223372036854775807.");
+  EXPECT_EQ(fault("5 1 2 3 4", "5 1 2 3 3"),
+            "It: in line 46 the element 5 has the node 3 twice.");
+  EXPECT_EQ(fault("1 0 0\n1 1 0", "1 0\n1 1 0"),
+            "It: in line 34 a coordinate is '$EndNodes', but must be a finite "
+            "number.");
 }

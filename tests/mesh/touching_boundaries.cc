@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/complaint.h"
+
 using namespace Thalweg;
 
 namespace
@@ -68,4 +70,56 @@ TEST(TouchingBoundaries, GapsAreNone)
   EXPECT_EQ(beside<2>(2, 1e-3), "");
   EXPECT_EQ(beside<3>(2, 1e-3), "");
   EXPECT_EQ(beside<2>(2, 1e-3, 1e6), "");
+}
+
+
+
+namespace
+{
+  /// What is said of 2 x 2 cells beside n x n ones, whose nodes are merged
+  /// where they are nearer than @p tolerance.
+  std::string
+  fault_beside(const unsigned int               n,
+               const double                     tolerance,
+               const dealii::types::boundary_id id)
+  {
+    dealii::Triangulation<2> left, right, both;
+    dealii::GridGenerator::subdivided_hyper_rectangle(left,
+                                                      {2, 2},
+                                                      dealii::Point<2>(0, 0),
+                                                      dealii::Point<2>(1, 1));
+    dealii::GridGenerator::subdivided_hyper_rectangle(right,
+                                                      {n, n},
+                                                      dealii::Point<2>(1, 0),
+                                                      dealii::Point<2>(2, 1));
+    dealii::GridGenerator::merge_triangulations(left, right, both, tolerance);
+    for (const auto &face : both.active_face_iterators())
+      if (face->at_boundary())
+        face->set_boundary_id(id);
+    return complaint_of([&]() { refuse_doubled_nodes(both, "It"); });
+  }
+} // namespace
+
+
+
+TEST(TouchingBoundaries, OfDoubledNodesAreRefusedUnlessTheyHaveNumbers)
+{
+  EXPECT_EQ(fault_beside(2, -1., 0).find(
+              "It has doubled nodes: 4 boundary faces lie on each other, "
+              "the first at (1 0.25)"),
+            0u);
+  EXPECT_EQ(fault_beside(2, -1., 3), "");
+  EXPECT_EQ(fault_beside(2, 1e-9, 0), "");
+}
+
+
+
+TEST(TouchingBoundaries, WithHangingNodesAreRefused)
+{
+  for (const dealii::types::boundary_id id : {0, 3})
+    EXPECT_EQ(fault_beside(4, 1e-9, id)
+                .find("It has a node in the middle of a cell's side, at (1 "
+                      "0.25)"),
+              0u);
+  EXPECT_EQ(fault_beside(4, -1., 3), "");
 }

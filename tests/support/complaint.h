@@ -1,6 +1,8 @@
 #ifndef tests_support_complaint_h
 #define tests_support_complaint_h
 
+#include <thalweg/core/spelling.h>
+
 #include <deal.II/base/exceptions.h>
 
 #include <sstream>
@@ -19,7 +21,7 @@ complaint_of(const Action &action)
     {
       std::ostringstream text;
       exception.print_info(text);
-      return text.str();
+      return Thalweg::trimmed(text.str());
     }
   return "";
 }

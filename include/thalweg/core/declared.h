@@ -3,6 +3,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,10 @@ namespace Thalweg
     /// The section that somebody may have meant by @p path; empty: none.
     std::string
     nearest_section(const std::string &path) const;
+
+  private:
+    std::map<std::string, std::size_t> index; ///< in parameters, by path
+    std::set<std::string>              known_sections;
   };
 
   /// What follows the last slash of @p path.

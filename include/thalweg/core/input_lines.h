@@ -13,13 +13,17 @@ namespace Thalweg
     std::string value; ///< without white space at its ends
     std::string place; ///< "file:line", or the option it came from
     std::string file;  ///< which file it is in; empty for an option
+    /// The sections that are open there: "Section/Subsection". Names with a
+    /// slash may add to them.
+    std::string section;
   };
 
   /// One `subsection` line of an input file.
   struct InputSection
   {
-    std::string path;  ///< "Section/Subsection"
-    std::string place; ///< "file:line"
+    std::string path;   ///< "Section/Subsection"
+    std::string parent; ///< the one that is open around it; empty: none
+    std::string place;  ///< "file:line"
   };
 
   /// The lines of an input file and of the files it includes, in order.
@@ -37,7 +41,9 @@ namespace Thalweg
    * `#` begins a comment, and a backslash at the end of a line continues it
    * on the next. Included files are looked for beside the file that includes
    * them. Whatever cannot be understood goes to `faults`, with what stands
-   * there and what may stand there; nothing is thrown.
+   * there and what may stand there; nothing is thrown. Files, lines, sections
+   * in each other and faults are bounded in number, and only plain files are
+   * read.
    */
   InputLines
   read_input_lines(const std::string &path);

@@ -26,6 +26,15 @@ namespace Thalweg
    */
   std::string
   nearest_in(const std::string &description, const std::string &value);
+
+  /**
+   * @brief A name that is twice in the list @p value.
+   * @param description of the pattern, as for in_words()
+   * @return an empty string if there is none, or the pattern is no list of
+   *   names
+   */
+  std::string
+  repeated_in(const std::string &description, const std::string &value);
 } // namespace Thalweg
 
 #endif

@@ -28,6 +28,17 @@ namespace Thalweg
     declare_parameters(const Section &section) = 0;
 
     /**
+     * @brief About how many coarse cells create() will make, so that too many
+     * are refused before; 0: only create() knows.
+     * @throws dealii::ExcMessage as create() does
+     */
+    virtual double
+    n_cells() const
+    {
+      return 0.;
+    }
+
+    /**
      * @brief Fills @p triangulation with the coarse mesh and sets boundary
      * and material ids.
      * @throws dealii::ExcMessage for impossible parameters or unreadable

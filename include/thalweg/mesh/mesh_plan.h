@@ -27,6 +27,7 @@ namespace Thalweg
     std::vector<std::string>   periodic_boundaries;
     unsigned int               global_refinement = 0;
     std::string                local_refinement  = "0";
+    double                     memory_limit      = 0.;
     Choice<MeshPartition<dim>> partition;
   };
 

@@ -20,6 +20,20 @@ namespace Thalweg
   std::string
   touching_boundaries(const dealii::Triangulation<dim> &coarse,
                       const BoundaryNames              &names);
+
+  /**
+   * @brief Refuses a coarse mesh with nodes that are there twice, or that lie
+   * on the side of a cell whose node they are not.
+   *
+   * Boundary faces that lie on each other are a thin wall if they all have
+   * boundary ids other than zero, which they have if nobody gave them one.
+   * @param what names the mesh at the beginning of a message
+   * @throws dealii::ExcMessage
+   */
+  template <int dim>
+  void
+  refuse_doubled_nodes(const dealii::Triangulation<dim> &coarse,
+                       const std::string                &what);
 } // namespace Thalweg
 
 #endif

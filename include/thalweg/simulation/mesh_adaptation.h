@@ -56,6 +56,11 @@ namespace Thalweg
     keep(const Archive &archive);
 
   private:
+    /// AdaptiveRefinement::mark(). Collective.
+    /// @throws dealii::ExcMessage if there is no memory for the new cells
+    bool
+    mark(const double dt = 0.);
+
     /// Changes the mesh and carries everything along. @param change does it
     void
     carry(const std::function<void()> &change);
@@ -70,6 +75,7 @@ namespace Thalweg
     SimulationParts<dim>                    &parts;
     const std::vector<Postprocessor<dim> *> &postprocessors;
     const std::function<SolutionView<dim>()> view;
+    const MemoryEstimate                     memory;
     boost::signals2::scoped_connection       weights;
     unsigned int                             n_adaptations     = 0;
     unsigned int                             n_repartitionings = 0;

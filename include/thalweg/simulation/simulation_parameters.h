@@ -7,6 +7,7 @@
 #include <thalweg/particles/seeding.h>
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/simulation/checkpoint_parameters.h>
+#include <thalweg/simulation/memory_estimate.h>
 #include <thalweg/simulation/time_control.h>
 
 #include <string>
@@ -22,17 +23,35 @@ namespace Thalweg
     void
     declare(const Section &root);
 
-    /// Appends every fault that can be found without running to @p faults:
-    /// fluids, expressions, times, and on the coarse mesh boundary names and
-    /// what the postprocessors look at.
+    /**
+     * @brief Appends every fault that can be found without running to
+     * @p faults: fluids, expressions, times, whether there is memory for the
+     * cells, and on the coarse mesh boundary names and what the postprocessors
+     * look at. Collective.
+     * @param communicator the processes of the run
+     */
     void
-    check(std::vector<std::string> &faults) const;
+    check(std::vector<std::string> &faults,
+          const MPI_Comm            communicator = MPI_COMM_SELF) const;
+
+    /// What memory the run may have. Collective.
+    MemoryEstimate
+    memory(const MPI_Comm communicator) const;
 
     /// What is suspicious in parameters without faults, without running: on
     /// the coarse mesh boundaries that lie on each other and, if
     /// @p before_run, fluids that are nowhere; a run sees that itself.
     std::vector<std::string>
     warnings(const bool before_run) const;
+
+    /// @throws dealii::ExcMessage in place of all other exceptions
+    void
+    make_coarse(Mesh<dim> &coarse) const;
+
+    /// @throws dealii::ExcMessage if @p coarse, refined, has more cells than
+    ///   there is @p memory for
+    void
+    check_size(const Mesh<dim> &coarse, const MemoryEstimate &memory) const;
 
     /// Appends the faults that are seen on the coarse mesh.
     void

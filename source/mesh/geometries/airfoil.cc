@@ -28,6 +28,16 @@ namespace Thalweg
       void
       declare_parameters(const Section &section) override;
 
+      double
+      n_cells() const override
+      {
+        check();
+        const double last   = 1. - std::pow(place(cells_a_side - 1), 2);
+        const double n_wake = Geometries::n_graded(wake, last, outlet_length);
+        return 2. * (cells_a_side + n_wake) * layers *
+               (dim == 3 ? span_cells : 1.);
+      }
+
       void
       create(dealii::Triangulation<dim> &triangulation) const override;
 
@@ -200,16 +210,8 @@ namespace Thalweg
     Airfoil<dim>::check_curvature(const Geometries::NacaOutline &outline) const
     {
       double height = 0.;
-      for (const Side side : {Side::upper, Side::lower})
-        for (unsigned int i = 1; i <= cells_a_side; ++i)
-          {
-            const auto a = outline.point(side, place(i - 1));
-            const auto b = outline.point(side, place(i));
-            const auto m =
-              outline.point(side, .5 * (place(i - 1) + place(i))) - a;
-            const double across = (b - a)[0] * m[1] - (b - a)[1] * m[0];
-            height = std::max(height, std::abs(across) / a.distance(b));
-          }
+      for (unsigned int i = 1; i <= cells_a_side; ++i)
+        height = std::max(height, outline.rise(place(i - 1), place(i)));
       std::ostringstream message;
       message << "In the geometry '" << model << "' the outline rises "
               << height / chord

@@ -65,6 +65,21 @@ namespace Thalweg
 
 
 
+      double
+      n_cells() const override
+      {
+        check();
+        using Geometries::n_graded;
+        const double n_inlet  = n_graded(inlet_length, cell_size, inlet_cell);
+        const double n_outlet = n_graded(outlet_length, cell_size, outlet_cell);
+        const double n_above  = n_graded(inlet_height, cell_size, cell_size);
+        const double n_below  = n_graded(step_height, cell_size, cell_size);
+        return (n_inlet * n_above + n_outlet * (n_above + n_below)) *
+               (dim == 3 ? layers : 1.);
+      }
+
+
+
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {

@@ -13,14 +13,23 @@ namespace Thalweg
 {
   namespace Geometries
   {
-    std::vector<double>
-    graded_lengths(const double length, const double first, const double last)
+    double
+    n_graded(const double length, const double first, const double last)
     {
       const double ratio = last / first;
       // The mean over a continuous change from first to last.
       const double mean =
         std::abs(ratio - 1.) < 1e-6 ? first : (last - first) / std::log(ratio);
-      const auto n = std::max<unsigned int>(1, std::lround(length / mean));
+      return std::max(1., std::round(length / mean));
+    }
+
+
+
+    std::vector<double>
+    graded_lengths(const double length, const double first, const double last)
+    {
+      const double        ratio = last / first;
+      const unsigned int  n     = n_graded(length, first, last);
       std::vector<double> lengths(n);
       for (unsigned int i = 0; i < n; ++i)
         lengths[i] = first * std::pow(ratio, n > 1 ? i / (n - 1.) : 0.);
@@ -94,9 +103,17 @@ namespace Thalweg
     unsigned int
     PlaneBlocks::vertex(const dealii::Point<2> &point)
     {
-      for (unsigned int v = 0; v < vertices.size(); ++v)
-        if (vertices[v].distance(point) < tolerance)
-          return v;
+      const double x = std::floor(point[0] / tolerance);
+      const double y = std::floor(point[1] / tolerance);
+      for (const double i : {x - 1., x, x + 1.})
+        for (const double j : {y - 1., y, y + 1.})
+          {
+            const auto [begin, end] = in_square.equal_range({i, j});
+            for (auto entry = begin; entry != end; ++entry)
+              if (vertices[entry->second].distance(point) < tolerance)
+                return entry->second;
+          }
+      in_square.emplace(Square(x, y), vertices.size());
       vertices.push_back(point);
       return vertices.size() - 1;
     }

@@ -38,6 +38,16 @@ namespace Thalweg
       }
 
 
+      double
+      n_cells() const override
+      {
+        double n = 1.;
+        for (const double repetition : repetitions)
+          n *= repetition;
+        return n;
+      }
+
+
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {

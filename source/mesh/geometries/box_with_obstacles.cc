@@ -46,6 +46,17 @@ namespace Thalweg
       }
 
 
+      double
+      n_cells() const override
+      {
+        check();
+        double n = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          n *= std::max(1., (upper[d] - lower[d]) / cell_size);
+        return n;
+      }
+
+
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {

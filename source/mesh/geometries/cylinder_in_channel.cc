@@ -29,6 +29,9 @@ namespace Thalweg
       void
       declare_parameters(const Section &section) override;
 
+      double
+      n_cells() const override;
+
       void
       create(dealii::Triangulation<dim> &triangulation) const override;
 
@@ -314,6 +317,20 @@ namespace Thalweg
                           dealii::CylindricalManifold<3>(
                             dealii::Tensor<1, 3>({0., 0., 1.}),
                             dealii::Point<3>(center[0], center[1], 0.)));
+    }
+
+
+
+    template <int dim>
+    double
+    CylinderInChannel<dim>::n_cells() const
+    {
+      check();
+      const double h   = 8. * half_square() / cells_around;
+      const double n_x = Geometries::n_graded(length, h, stretching * h);
+      const double n_y = height / h;
+      return (n_x * n_y + double(cells_around) * ring_layers) *
+             (dim == 3 ? layers : 1.);
     }
 
 

@@ -1,12 +1,18 @@
+#include <thalweg/core/errors.h>
+#include <thalweg/core/plain_text.h>
+#include <thalweg/core/text_file.h>
+#include <thalweg/core/trial.h>
 #include <thalweg/mesh/geometries/division.h>
 #include <thalweg/mesh/geometries/gmsh.h>
+#include <thalweg/mesh/geometries/overlap.h>
 #include <thalweg/mesh/geometries/tools.h>
 #include <thalweg/mesh/geometry.h>
+#include <thalweg/mesh/touching_boundaries.h>
 
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <fstream>
+#include <filesystem>
 #include <sstream>
 
 namespace Thalweg
@@ -52,7 +58,6 @@ namespace Thalweg
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {
-        check_plane();
         dealii::Triangulation<dim> mesh;
         if (is_divided)
           {
@@ -68,6 +73,8 @@ namespace Thalweg
         if (offset.norm() > 0.)
           dealii::GridTools::shift(scale * offset, mesh);
         Geometries::copy_coarse_mesh(mesh, triangulation, what());
+        Geometries::check_overlap(mesh, what());
+        refuse_doubled_nodes(mesh, what());
         name_boundaries(mesh);
       }
 
@@ -82,7 +89,7 @@ namespace Thalweg
       std::string
       what() const
       {
-        return "The mesh file '" + file_name + "'";
+        return "The mesh file '" + excerpt(file_name) + "'";
       }
 
 
@@ -121,73 +128,166 @@ namespace Thalweg
       }
 
 
-      void
-      read(dealii::Triangulation<dim> &mesh) const
+      /// The beginning of messages about files that are no meshes.
+      std::string
+      refusal() const
       {
-        const auto    mesh_format = format();
-        std::ifstream stream(file_name);
-        AssertThrow(stream,
+        return what() + " cannot be read as a mesh in " + std::to_string(dim) +
+               " dimensions";
+      }
+
+
+      /// What is in the file, line ends of other systems replaced.
+      std::string
+      text() const
+      {
+        // Nobody has a coarse mesh that is larger.
+        constexpr std::size_t most_bytes = 1000000000;
+        const bool            is_text    = is_gmsh() || has_outline();
+        const std::string     path       = with_home(file_name);
+        std::error_code       error;
+        AssertThrow(std::filesystem::exists(path, error),
                     dealii::ExcMessage(
                       what() + " cannot be opened. Does it exist, and is its "
                                "path right, seen from the directory where "
                                "the program was started?"));
-        dealii::GridIn<dim> reader(mesh);
-        try
+        const std::string content =
+          read_text_file(path, what(), most_bytes).content;
+        // Formats that may be binary are left to deal.II.
+        return is_text ? plain_lines(content, what()) : content;
+      }
+
+
+      /// Whether outline_of() knows the format.
+      bool
+      has_outline() const
+      {
+        using Format = dealii::GridIn<dim>;
+        return format() == Format::vtk || format() == Format::ucd ||
+               format() == Format::unv || format() == Format::abaqus ||
+               format() == Format::xda || format() == Format::dbmesh ||
+               format() == Format::tecplot;
+      }
+
+
+      Geometries::MeshOutline
+      outline_of(const std::string &content) const
+      {
+        using Format = dealii::GridIn<dim>;
+        switch (format())
           {
-            if (mesh_format == dealii::GridIn<dim>::exodusii)
-              reader.read_exodusii(file_name);
-            else if (is_gmsh())
-              {
-                dealii::Tensor<1, 3> moved;
-                std::istringstream near(Geometries::near_origin(stream, moved));
-                for (unsigned int d = 0; d < dim; ++d)
-                  offset[d] = moved[d];
-                reader.read_msh(near);
-              }
-            else
-              reader.read(stream, mesh_format);
-          }
-        catch (const std::exception &exception)
-          {
-            const std::string reason = Geometries::reason(exception);
-            const std::string known  = "Something went wrong when making cell ";
-            if (const auto at = reason.find(known); at != std::string::npos)
-              Geometries::refuse_cell(what(),
-                                      std::to_string(std::stoi(
-                                        reason.substr(at + known.size()))));
-            AssertThrow(false,
-                        dealii::ExcMessage(
-                          what() + " cannot be read as a mesh in " +
-                          std::to_string(dim) +
-                          " dimensions. Is it complete, in ASCII, and made "
-                          "of cells of this dimension? deal.II says:\n" +
-                          reason));
+            case Format::vtk:
+              return Geometries::outline_of_vtk(content, refusal());
+            case Format::ucd:
+              return Geometries::outline_of_ucd(content, refusal());
+            case Format::unv:
+              return Geometries::outline_of_unv(content, refusal());
+            case Format::xda:
+              return Geometries::outline_of_xda(content, dim, refusal());
+            case Format::dbmesh:
+              return Geometries::outline_of_dbmesh(content, refusal());
+            case Format::tecplot:
+              return Geometries::outline_of_tecplot(content, dim, refusal());
+            default:
+              return Geometries::outline_of_abaqus(content, dim, refusal());
           }
       }
 
 
-      /// Refuses meshes of two dimensions in another plane than that of x and
-      /// y: of their points only these coordinates are read.
+      /// Lets deal.II read a mesh.
       void
-      check_plane() const
+      read(const std::string &content, dealii::Triangulation<dim> &mesh) const
       {
-        if constexpr (dim == 2)
+        using Format = dealii::GridIn<dim>;
+        std::istringstream stream(content);
+        Format             reader(mesh);
+        if (format() == Format::exodusii)
+          reader.read_exodusii(with_home(file_name));
+        else if (is_gmsh())
+          reader.read_msh(stream);
+        else
+          reader.read(stream, format());
+      }
+
+
+      void
+      read(dealii::Triangulation<dim> &mesh) const
+      {
+        std::string content = text();
+        std::string fault;
+        if (is_gmsh())
           {
-            dealii::Triangulation<2, 3> surface;
-            dealii::GridIn<2, 3>        reader(surface);
-            std::ifstream               stream(file_name);
-            if (!is_gmsh() || !stream)
-              return;
-            try
-              {
-                reader.read_msh(stream);
-              }
-            catch (const std::exception &)
-              {
-                return; // read() says what is wrong
-              }
-            Geometries::check_plane(surface, what());
+            auto file = Geometries::read_gmsh(content, refusal());
+            check(file.outline);
+            physical_names = file.names[dim - 1];
+            dealii::Tensor<1, 3> moved;
+            content = Geometries::gmsh_text(file.outline, dim, moved);
+            for (unsigned int d = 0; d < dim; ++d)
+              offset[d] = moved[d];
           }
+        else
+          {
+            if (has_outline())
+              check(outline_of(content));
+            // Ten bytes are a number.
+            TrialLimits limits;
+            limits.seconds += content.size() / 1000000;
+            limits.gigabytes += content.size() / 1e7;
+            fault = fault_in_trial(
+              [&]() {
+                dealii::Triangulation<dim> trial;
+                read(content, trial);
+              },
+              limits);
+          }
+        if (fault.empty())
+          try
+            {
+              read(content, mesh);
+              return;
+            }
+          catch (const std::exception &exception)
+            {
+              fault = message_of(exception);
+            }
+        refuse(fault);
+      }
+
+
+      void
+      check(const Geometries::MeshOutline &outline) const
+      {
+        if (dim == 2)
+          Geometries::check_plane(outline.points_of_cells(2), what());
+        if (!is_divided && !outline.has_only_cubes(dim))
+          Geometries::refuse_shapes(what(), dim);
+        if (const std::string cell = dim == 2 ? outline.first_twisted() : "";
+            !cell.empty())
+          Geometries::refuse_cell(what(), cell);
+        Geometries::check_outline(outline, dim, refusal());
+      }
+
+
+      /// Says what deal.II said of the file.
+      [[noreturn]] void
+      refuse(const std::string &fault) const
+      {
+        // Of other formats deal.II converts that of Abaqus, and says where.
+        AssertThrow(format() != dealii::GridIn<dim>::abaqus ||
+                      fault.find("Internal conversion") == std::string::npos,
+                    dealii::ExcMessage(
+                      refusal() +
+                      ": its sets and surfaces do not fit its elements, or "
+                      "these are not numbered one after another from 1."));
+        const std::string known = "Something went wrong when making cell ";
+        if (const auto at = fault.find(known); at != std::string::npos)
+          Geometries::refuse_cell(
+            what(), std::to_string(std::atoi(&fault[at + known.size()])));
+        throw dealii::ExcMessage(
+          refusal() +
+          ". Is it complete, in ASCII, and made of cells of this "
+          "dimension? What went wrong: " +
+          bounded_message(fault, 1000));
       }
 
 
@@ -202,12 +302,8 @@ namespace Thalweg
       void
       add_physical_names() const
       {
-        if (!is_gmsh())
-          return;
-        std::ifstream stream(file_name);
-        const auto    numbered = names;
-        for (const auto &[name, id] :
-             Geometries::physical_names(stream, dim - 1, what()))
+        const auto numbered = names;
+        for (const auto &[name, id] : physical_names)
           {
             if (numbered.count(std::to_string(id)) == 0)
               continue; // inside of the mesh
@@ -255,6 +351,8 @@ namespace Thalweg
       bool                                is_divided = false;
       std::map<std::string, unsigned int> given_names;
       mutable std::map<std::string, dealii::types::boundary_id> names;
+      /// The names in the file.
+      mutable std::map<std::string, unsigned int> physical_names;
       /// What is still missing from the coordinates that were read.
       mutable dealii::Tensor<1, dim> offset;
     };

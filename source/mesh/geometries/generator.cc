@@ -1,3 +1,5 @@
+#include <thalweg/core/plain_text.h>
+#include <thalweg/core/trial.h>
 #include <thalweg/mesh/geometries/tools.h>
 #include <thalweg/mesh/geometry.h>
 
@@ -31,25 +33,26 @@ namespace Thalweg
       void
       create(dealii::Triangulation<dim> &triangulation) const override
       {
-        const std::string          what = "The geometry '" + function + "'";
+        const std::string what = "The geometry '" + excerpt(function) + "'";
         dealii::Triangulation<dim> mesh;
-        try
+        // Some functions take any number, and crash or never end.
+        if (!was_tried)
           {
-            dealii::GridGenerator::generate_from_name_and_arguments(mesh,
-                                                                    function,
-                                                                    arguments);
-          }
-        catch (const std::exception &exception)
-          {
-            AssertThrow(false,
+            const std::string fault = fault_in_trial([this]() {
+              dealii::Triangulation<dim> trial;
+              generate(trial);
+            });
+            AssertThrow(fault.empty(),
                         dealii::ExcMessage(
-                          what + " with the arguments '" + arguments +
+                          what + " with the arguments '" + excerpt(arguments) +
                           "' cannot be generated in " + std::to_string(dim) +
                           " dimensions. Compare the function's name and "
                           "arguments with deal.II's documentation of "
-                          "GridGenerator; it says:\n" +
-                          Geometries::reason(exception)));
+                          "GridGenerator. What went wrong:\n" +
+                          bounded_message(fault, 1000)));
+            was_tried = true;
           }
+        generate(mesh);
         Geometries::copy_coarse_mesh(mesh, triangulation, what);
         names = Geometries::numbered_boundaries(mesh);
       }
@@ -62,8 +65,17 @@ namespace Thalweg
       }
 
     private:
-      std::string function  = "hyper_cube";
-      std::string arguments = "0 : 1 : true";
+      void
+      generate(dealii::Triangulation<dim> &mesh) const
+      {
+        dealii::GridGenerator::generate_from_name_and_arguments(mesh,
+                                                                function,
+                                                                arguments);
+      }
+
+      std::string  function  = "hyper_cube";
+      std::string  arguments = "0 : 1 : true";
+      mutable bool was_tried = false;
       mutable std::map<std::string, dealii::types::boundary_id> names;
     };
   } // namespace

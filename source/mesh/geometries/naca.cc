@@ -81,6 +81,22 @@ namespace Thalweg
 
 
     double
+    NacaOutline::rise(const double s, const double t) const
+    {
+      double height = 0.;
+      for (const Side side : {Side::upper, Side::lower})
+        {
+          const auto   a = point(side, s), b = point(side, t);
+          const auto   m      = point(side, .5 * (s + t)) - a;
+          const double across = (b - a)[0] * m[1] - (b - a)[1] * m[0];
+          height = std::max(height, std::abs(across) / a.distance(b));
+        }
+      return height;
+    }
+
+
+
+    double
     NacaOutline::parameter(const Side side, const dealii::Point<2> &p) const
     {
       constexpr unsigned int n    = 64;

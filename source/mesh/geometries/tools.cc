@@ -107,19 +107,18 @@ namespace Thalweg
 
 
     void
-    check_plane(const dealii::Triangulation<2, 3> &surface,
-                const std::string                 &what)
+    check_plane(const std::vector<dealii::Point<3>> &points,
+                const std::string                   &what)
     {
-      if (surface.n_active_cells() == 0)
+      if (points.empty())
         return;
-      dealii::Point<3> lower = surface.get_vertices()[0], upper = lower;
-      for (const auto &cell : surface.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              lower[d] = std::min(lower[d], cell->vertex(v)[d]);
-              upper[d] = std::max(upper[d], cell->vertex(v)[d]);
-            }
+      dealii::Point<3> lower = points[0], upper = lower;
+      for (const auto &point : points)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            lower[d] = std::min(lower[d], point[d]);
+            upper[d] = std::max(upper[d], point[d]);
+          }
       const double tolerance = 1e-6 * lower.distance(upper);
       if (upper[2] - lower[2] <= tolerance)
         return;
@@ -147,6 +146,19 @@ namespace Thalweg
         cell +
         " (counted from 0 without lines and, in 3D, surfaces). Repair the "
         "mesh.");
+    }
+
+    void
+    refuse_shapes(const std::string &what, const unsigned int dim)
+    {
+      throw dealii::ExcMessage(
+        what + " has cells that are not " +
+        (dim == 2 ? "quadrilaterals" : "hexahedra") +
+        ", which are the only ones supported, whatever 'Partition/Model' is. "
+        "Set 'Geometry/file/Divide cells = true', or let the mesh generator "
+        "recombine them (in Gmsh: 'Mesh.RecombineAll = 1; "
+        "Mesh.SubdivisionAlgorithm = " +
+        (dim == 2 ? "1" : "2") + ";').");
     }
 
     template <int dim>
@@ -213,16 +225,8 @@ namespace Thalweg
                                      std::to_string(dim) +
                                      " dimensions. Does the parameter "
                                      "'Dimension' fit the mesh?"));
-      AssertThrow(source.all_reference_cells_are_hyper_cube(),
-                  dealii::ExcMessage(
-                    what + " has cells that are not " +
-                    (dim == 2 ? "quadrilaterals" : "hexahedra") +
-                    ", which are the only ones supported, whatever "
-                    "'Partition/Model' is. Set 'Geometry/file/Divide cells = "
-                    "true', or let the mesh generator recombine them (in "
-                    "Gmsh: 'Mesh.RecombineAll = 1; "
-                    "Mesh.SubdivisionAlgorithm = " +
-                    (dim == 2 ? "1" : "2") + ";')."));
+      if (!source.all_reference_cells_are_hyper_cube())
+        refuse_shapes(what, dim);
       AssertThrow(source.n_levels() == 1,
                   dealii::ExcMessage(what +
                                      " is refined, but a coarse mesh must "

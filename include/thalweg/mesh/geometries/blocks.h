@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Thalweg
@@ -14,6 +15,10 @@ namespace Thalweg
   /// Tools for coarse meshes that are put together from blocks of cells.
   namespace Geometries
   {
+    /// About how many intervals graded_lengths() returns.
+    double
+    n_graded(const double length, const double first, const double last);
+
     /**
      * @brief The lengths of intervals that fill @p length and change from
      * near @p first to near @p last by a constant factor.
@@ -75,9 +80,14 @@ namespace Thalweg
       unsigned int
       vertex(const dealii::Point<2> &point);
 
-      double                           tolerance;
-      std::vector<dealii::Point<2>>    vertices;
-      std::vector<dealii::CellData<2>> cells;
+      /// A square of the size of the tolerance.
+      using Square = std::pair<double, double>;
+
+      double                        tolerance;
+      std::vector<dealii::Point<2>> vertices;
+      /// The vertices in each square.
+      std::multimap<Square, unsigned int> in_square;
+      std::vector<dealii::CellData<2>>    cells;
     };
 
     /// The boundary id of the sides that a plane mesh has beside those of a

@@ -1,9 +1,10 @@
 #ifndef thalweg_mesh_geometries_gmsh_h
 #define thalweg_mesh_geometries_gmsh_h
 
+#include <thalweg/mesh/geometries/mesh_outline.h>
+
 #include <deal.II/base/tensor.h>
 
-#include <istream>
 #include <map>
 #include <string>
 
@@ -11,31 +12,38 @@ namespace Thalweg
 {
   namespace Geometries
   {
-    /**
-     * @brief The names that Gmsh gives to physical groups of one dimension, in
-     * the section $PhysicalNames of a msh file of any version in ASCII.
-     * @param dimension of the groups: one less than that of the mesh for its
-     *   boundaries
-     * @param what names the mesh at the beginning of a message
-     * @return the groups' numbers, nothing if the file has no such section
-     * @throws dealii::ExcMessage if two groups have one name, or the section
-     *   cannot be read
-     */
-    std::map<std::string, unsigned int>
-    physical_names(std::istream      &file,
-                   const unsigned int dimension,
-                   const std::string &what);
+    /// What a msh file says.
+    struct GmshFile
+    {
+      MeshOutline outline;
+      /// The numbers of physical groups by their names, for each dimension.
+      std::map<unsigned int, std::map<std::string, unsigned int>> names;
+    };
 
     /**
-     * @brief A msh file of version 2 or 4.1 in ASCII as text, with all nodes
-     * moved near the origin if they are far from it compared with their extent.
+     * @brief Reads a msh file of Gmsh in ASCII, of version 1, 2, 4.0 or 4.1.
+     * @param refusal the beginning of messages, as in "The mesh file 'a.msh'
+     *   cannot be read"
+     * @throws dealii::ExcMessage if something is not as it has to be, or two
+     *   physical groups have one name
+     */
+    GmshFile
+    read_gmsh(const std::string &text, const std::string &refusal);
+
+    /**
+     * @brief Cells and sides of @p outline as a msh file of version 2.2, for
+     * deal.II to read.
      *
-     * deal.II multiplies coordinates when it reads cells, and cannot tell
-     * apart small ones far away. Other files are left as they are.
+     * Nodes are moved near the origin if they are far from it compared with
+     * their extent: deal.II multiplies coordinates when it reads cells, and
+     * cannot tell apart small ones far away.
+     * @param dim dimension of the cells
      * @param offset becomes what has to be added to coordinates, m
      */
     std::string
-    near_origin(std::istream &file, dealii::Tensor<1, 3> &offset);
+    gmsh_text(const MeshOutline    &outline,
+              const unsigned int    dim,
+              dealii::Tensor<1, 3> &offset);
   } // namespace Geometries
 } // namespace Thalweg
 

@@ -56,6 +56,10 @@ namespace Thalweg
       double
       parameter(const Side side, const dealii::Point<2> &point) const;
 
+      /// How far the sides rise above straight lines from @p s to @p t, m.
+      double
+      rise(const double s, const double t) const;
+
       double
       chord() const
       {

@@ -74,14 +74,14 @@ namespace Thalweg
                      const std::string                &what);
 
     /**
-     * @brief Refuses a mesh of two dimensions that does not lie in a plane of
-     * constant z.
+     * @brief Refuses the points of a mesh of two dimensions that do not lie in a
+     * plane of constant z.
      * @param what names the mesh at the beginning of a message
      * @throws dealii::ExcMessage that says in which plane it lies
      */
     void
-    check_plane(const dealii::Triangulation<2, 3> &surface,
-                const std::string                 &what);
+    check_plane(const std::vector<dealii::Point<3>> &points,
+                const std::string                   &what);
 
     /**
      * @brief Turns cells inside out whose volume is negative.
@@ -98,6 +98,11 @@ namespace Thalweg
     /// inverted.
     [[noreturn]] void
     refuse_cell(const std::string &what, const std::string &cell);
+
+    /// Throws a message that cells of the mesh @p what are neither
+    /// quadrilaterals nor hexahedra.
+    [[noreturn]] void
+    refuse_shapes(const std::string &what, const unsigned int dim);
 
     /// What deal.II says in @p exception, without the place in its sources.
     std::string

@@ -2,40 +2,128 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <csignal>
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+#include <vector>
 
 namespace Thalweg
 {
   namespace
   {
-    volatile std::sig_atomic_t is_told_to_stop = 0;
+    volatile std::sig_atomic_t told_to_stop    = 0; ///< number of the signal
     volatile std::sig_atomic_t is_told_to_save = 0;
+    volatile std::sig_atomic_t has_steps       = 0;
+    volatile std::sig_atomic_t may_speak       = 0;
 
-    using Handler = void (*)(int);
-    Handler old_term, old_user;
+    /// The processes of the run on this machine; memory that lives as long as
+    /// a handler may look at it.
+    std::vector<pid_t> neighbors;
+
+    /// Ends the process; calls only what a handler of signals may call.
+    [[noreturn]] void
+    end_at_once(const int number, const char *text)
+    {
+      if (may_speak)
+        {
+          const ssize_t written =
+            ::write(STDERR_FILENO, text, std::strlen(text));
+          static_cast<void>(written); // there is nobody else to tell
+        }
+      ::_exit(128 + number);
+    }
 
     extern "C" void
-    note_signal(int signal)
+    note_signal(int number)
     {
-      (signal == SIGTERM ? is_told_to_stop : is_told_to_save) = 1;
+      if (number == SIGUSR1)
+        is_told_to_save = 1;
+      else if (!has_steps)
+        end_at_once(number,
+                    "Warning: Stopped by a signal before the first step: there "
+                    "is nothing new to save.\n");
+      else if (number == SIGINT && told_to_stop == SIGINT)
+        end_at_once(number,
+                    "Warning: Stopped at once by a second SIGINT: the step is "
+                    "not saved.\n");
+      else
+        {
+          told_to_stop = number;
+          ::alarm(1);
+        }
+    }
+
+    /// Looks every second whether those that this process has to wait for are
+    /// there: when one of them crashes, mpirun tells the others to stop.
+    extern "C" void
+    look_around(int)
+    {
+      for (const pid_t neighbor : neighbors)
+        if (::kill(neighbor, 0) != 0 && errno == ESRCH)
+          end_at_once(told_to_stop,
+                      "Warning: Stopped at once, since another process of the "
+                      "run is gone: the step is not saved.\n");
+      ::alarm(1);
+    }
+
+    /// All processes of @p communicator on this machine.
+    std::vector<pid_t>
+    find_neighbors(const MPI_Comm communicator)
+    {
+      MPI_Comm machine;
+      MPI_Comm_split_type(
+        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+      const auto all = dealii::Utilities::MPI::all_gather(machine, ::getpid());
+      MPI_Comm_free(&machine);
+      return all;
     }
   } // namespace
 
 
 
-  StopSignals::StopSignals()
+  StopSignals::StopSignals(const MPI_Comm communicator)
   {
-    is_told_to_stop = is_told_to_save = 0;
-    old_term                          = std::signal(SIGTERM, note_signal);
-    old_user                          = std::signal(SIGUSR1, note_signal);
+    told_to_stop = is_told_to_save = has_steps = 0;
+
+    may_speak = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    neighbors = find_neighbors(communicator);
+    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGUSR1})
+      handle(number, note_signal);
+    handle(SIGALRM, look_around);
+    for (const int number : {SIGPIPE, SIGXFSZ})
+      handle(number, SIG_IGN);
   }
 
 
 
   StopSignals::~StopSignals()
   {
-    std::signal(SIGTERM, old_term);
-    std::signal(SIGUSR1, old_user);
+    ::alarm(0);
+    for (const auto &[number, action] : old)
+      ::sigaction(number, &action, nullptr);
+  }
+
+
+
+  void
+  StopSignals::handle(const int number, void (*handler)(int))
+  {
+    struct sigaction action, &before = old[number];
+    ::sigaction(number, nullptr, &before);
+    if (before.sa_handler == SIG_IGN)
+      return;
+    std::memset(&action, 0, sizeof(action));
+    action.sa_handler = handler;
+    action.sa_flags   = SA_RESTART;
+    ::sigaction(number, &action, nullptr);
+  }
+
+
+
+  void
+  StopSignals::begin_steps()
+  {
+    has_steps = 1;
   }
 
 
@@ -43,8 +131,21 @@ namespace Thalweg
   StopSignals::Wish
   StopSignals::wish(const MPI_Comm communicator)
   {
-    const unsigned int own = is_told_to_stop ? 2 : is_told_to_save ? 1 : 0;
+    // Stopping comes before saving: numbers of signals are above 1.
+    const unsigned int own = told_to_stop ? 1 + told_to_stop : is_told_to_save;
     is_told_to_save        = 0;
-    return static_cast<Wish>(dealii::Utilities::MPI::max(own, communicator));
+    const unsigned int all = dealii::Utilities::MPI::max(own, communicator);
+    signal                 = all > 1 ? all - 1 : 0;
+    return all > 1 ? Wish::stop : all == 1 ? Wish::checkpoint : Wish::nothing;
+  }
+
+
+
+  const char *
+  StopSignals::name() const
+  {
+    return signal == SIGINT   ? "SIGINT"
+           : signal == SIGHUP ? "SIGHUP"
+                              : "SIGTERM";
   }
 } // namespace Thalweg

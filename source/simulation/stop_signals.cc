@@ -2,10 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <cerrno>
 #include <cstring>
 #include <unistd.h>
-#include <vector>
 
 namespace Thalweg
 {
@@ -16,9 +14,21 @@ namespace Thalweg
     volatile std::sig_atomic_t has_steps       = 0;
     volatile std::sig_atomic_t may_speak       = 0;
 
-    /// The processes of the run on this machine; memory that lives as long as
-    /// a handler may look at it.
-    std::vector<pid_t> neighbors;
+    /// Whether the one who started the process wants a signal to be ignored,
+    /// as nohup does. Asked before main(): libraries catch signals too.
+    bool
+    is_ignored(const int number)
+    {
+      struct sigaction action;
+      return ::sigaction(number, nullptr, &action) == 0 &&
+             action.sa_handler == SIG_IGN;
+    }
+
+    const std::map<int, bool> is_ignored_from_the_start{
+      {SIGTERM, is_ignored(SIGTERM)},
+      {SIGINT, is_ignored(SIGINT)},
+      {SIGHUP, is_ignored(SIGHUP)},
+      {SIGUSR1, is_ignored(SIGUSR1)}};
 
     /// Ends the process; calls only what a handler of signals may call.
     [[noreturn]] void
@@ -47,35 +57,7 @@ namespace Thalweg
                     "Warning: Stopped at once by a second SIGINT: the step is "
                     "not saved.\n");
       else
-        {
-          told_to_stop = number;
-          ::alarm(1);
-        }
-    }
-
-    /// Looks every second whether those that this process has to wait for are
-    /// there: when one of them crashes, mpirun tells the others to stop.
-    extern "C" void
-    look_around(int)
-    {
-      for (const pid_t neighbor : neighbors)
-        if (::kill(neighbor, 0) != 0 && errno == ESRCH)
-          end_at_once(told_to_stop,
-                      "Warning: Stopped at once, since another process of the "
-                      "run is gone: the step is not saved.\n");
-      ::alarm(1);
-    }
-
-    /// All processes of @p communicator on this machine.
-    std::vector<pid_t>
-    find_neighbors(const MPI_Comm communicator)
-    {
-      MPI_Comm machine;
-      MPI_Comm_split_type(
-        communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-      const auto all = dealii::Utilities::MPI::all_gather(machine, ::getpid());
-      MPI_Comm_free(&machine);
-      return all;
+        told_to_stop = number;
     }
   } // namespace
 
@@ -86,10 +68,8 @@ namespace Thalweg
     told_to_stop = is_told_to_save = has_steps = 0;
 
     may_speak = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    neighbors = find_neighbors(communicator);
-    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGUSR1})
+    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2})
       handle(number, note_signal);
-    handle(SIGALRM, look_around);
     for (const int number : {SIGPIPE, SIGXFSZ})
       handle(number, SIG_IGN);
   }
@@ -98,7 +78,6 @@ namespace Thalweg
 
   StopSignals::~StopSignals()
   {
-    ::alarm(0);
     for (const auto &[number, action] : old)
       ::sigaction(number, &action, nullptr);
   }
@@ -110,10 +89,11 @@ namespace Thalweg
   {
     struct sigaction action, &before = old[number];
     ::sigaction(number, nullptr, &before);
-    if (before.sa_handler == SIG_IGN)
-      return;
+    const auto entry = is_ignored_from_the_start.find(number);
+    const bool is_to_be_ignored =
+      entry != is_ignored_from_the_start.end() && entry->second;
     std::memset(&action, 0, sizeof(action));
-    action.sa_handler = handler;
+    action.sa_handler = is_to_be_ignored ? SIG_IGN : handler;
     action.sa_flags   = SA_RESTART;
     ::sigaction(number, &action, nullptr);
   }
@@ -144,8 +124,16 @@ namespace Thalweg
   const char *
   StopSignals::name() const
   {
-    return signal == SIGINT   ? "SIGINT"
-           : signal == SIGHUP ? "SIGHUP"
-                              : "SIGTERM";
+    switch (signal)
+      {
+        case SIGINT:
+          return "SIGINT";
+        case SIGHUP:
+          return "SIGHUP";
+        case SIGUSR2:
+          return "SIGUSR2";
+        default:
+          return "SIGTERM";
+      }
   }
 } // namespace Thalweg

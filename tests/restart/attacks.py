@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from place import Failure
+from place import Failure, steps
 
 OFTEN = ["--set", "Checkpoint/Steps between=2"]
 
@@ -66,13 +66,14 @@ def wait_for_steps(place, name, n, process):
 
 def terminated(place, arguments):
     """Signals in the middle of a step; on several processes through mpiexec,
-    which tells them."""
-    place.run("straight")
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+    which kills them a second after all others but passes this one on."""
+    place.run("straight", *steps(150))
+    for number in (signal.SIGUSR2, signal.SIGTERM, signal.SIGINT,
+                   signal.SIGHUP):
         name = number.name
-        if place.ranks > 1 and number == signal.SIGHUP:
-            continue  # mpiexec ends without telling
-        process = place.start(name, output=subprocess.PIPE)
+        if place.ranks > 1 and number != signal.SIGUSR2:
+            continue
+        process = place.start(name, *steps(150), output=subprocess.PIPE)
         wait_for_steps(place, name, 3, process)
         process.send_signal(number)
         said = process.communicate(timeout=200)[0]
@@ -85,7 +86,7 @@ def terminated(place, arguments):
         newest = int(place.checkpoints(name)[-1].name.split("_")[1])
         if newest != len(place.table(name)):
             raise Failure(f"{name}: the last step is not saved")
-        place.run(name, "--resume")
+        place.run(name, "--resume", *steps(150))
         place.expect_equal("straight", name)
 
 
@@ -131,13 +132,18 @@ def piped(place, arguments):
 
 def locked(place, arguments):
     """A second run into the same directory is refused and does no harm."""
-    place.run("straight")
-    process = place.start("both")
-    wait_for_steps(place, "both", 2, process)
+    place.run("straight", *OFTEN)
+    process = place.start("both", *OFTEN)
+    while not place.checkpoints("both"):
+        time.sleep(.001)
+    for member in family(process.pid):
+        os.kill(member, signal.SIGSTOP)
     for option in ([], ["--resume"]):
         said = place.run("both", *option, code=1)
         if "Another run is writing" not in said or "--output" not in said:
             raise Failure(said)
+    for member in family(process.pid):
+        os.kill(member, signal.SIGCONT)
     if process.wait(timeout=200) != 0:
         raise Failure("the first run was disturbed")
     place.expect_equal("straight", "both")
@@ -190,7 +196,9 @@ def full_disk(place, arguments):
     for i in range(arguments.times):
         process = place.start("full", *OFTEN, *again(place, "full"),
                               output=subprocess.PIPE)
-        time.sleep(chance.uniform(.1, .9) * duration)
+        # Before that MPI is not ready, which needs files of its own.
+        wait_for_steps(place, "full", -1, process)
+        time.sleep(chance.uniform(0., .9) * duration)
         limit_files(process, chance.choice((0, 1000, 10000, 100000)))
         said = process.communicate(timeout=200)[0]
         check_failure(place, said, process.returncode)

@@ -7,10 +7,7 @@ import subprocess
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Steps may be longer than the second that mpiexec waits between SIGTERM and
-# SIGKILL.
-MPIEXEC = ["mpiexec", "--oversubscribe", "--allow-run-as-root",
-           "--mca", "odls_base_sigkill_timeout", "100", "-np"]
+MPIEXEC = ["mpiexec", "--oversubscribe", "--allow-run-as-root", "-np"]
 # Values in base.prm that do not fit into three dimensions.
 FLAT = ["set Dimension = 2", "set Repetitions = 4, 4", "set Gravity = 0, -9.81"]
 # deal.II writes the time of day into its files.

@@ -8,8 +8,8 @@
 namespace Thalweg
 {
   /**
-   * @brief Catches SIGTERM, SIGINT and SIGHUP, after which a run ends with a
-   * checkpoint, and SIGUSR1, after which it writes one and goes on.
+   * @brief Catches SIGTERM, SIGINT, SIGHUP and SIGUSR2, after which a run ends
+   * with a checkpoint, and SIGUSR1, after which it writes one and goes on.
    *
    * Batch systems send one of them before the time of a job is over. A second
    * SIGINT ends the process at once. Signals that are ignored when the object
@@ -18,9 +18,6 @@ namespace Thalweg
    * Before steps begin there is nothing to save, and what is told to stop stops
    * at once. A terminal or a pipe that nobody reads any more, and a limit of
    * the size of files, do not end the process: writing fails instead.
-   *
-   * A process that was told to stop waits for the end of the step, but not for
-   * others on its machine that are gone.
    *
    * There can be one object at a time; after its life signals do what they did
    * before.

@@ -133,7 +133,7 @@ namespace Thalweg
           n_cells += file.n_cells;
         }
       if (n_cells == 0 || content.at("step") != outline.step ||
-          !std::isfinite(outline.time))
+          !std::isfinite(outline.time) || outline.time < 0.)
         return "says impossible numbers";
       return "";
     }

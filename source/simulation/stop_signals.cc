@@ -70,8 +70,9 @@ namespace Thalweg
     may_speak = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2})
       handle(number, note_signal);
+    // For good: MPI writes files, too, when it ends.
     for (const int number : {SIGPIPE, SIGXFSZ})
-      handle(number, SIG_IGN);
+      std::signal(number, SIG_IGN);
   }
 
 

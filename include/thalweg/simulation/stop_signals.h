@@ -20,7 +20,7 @@ namespace Thalweg
    * the size of files, do not end the process: writing fails instead.
    *
    * There can be one object at a time; after its life signals do what they did
-   * before.
+   * before, but for those two of pipes and limits.
    */
   class StopSignals
   {

@@ -2,7 +2,9 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 namespace Thalweg
 {
@@ -41,12 +43,57 @@ namespace Thalweg
       return step;
     }
 
+    /**
+     * @brief Whether values in CBOR (RFC 8949) lie so deep in each other that
+     * reading them, which calls itself for each level, would use up the stack.
+     *
+     * Each item begins with three bits that say its kind and five that say its
+     * number, or in how many bytes that follows.
+     */
+    bool
+    is_too_deep(const std::string &bytes)
+    {
+      constexpr std::size_t deepest = 64;
+      // How many items are to come on each level.
+      std::vector<std::uint64_t> open{1};
+      for (std::size_t i = 0; i < bytes.size() && open.size() <= deepest;)
+        {
+          const unsigned int head   = static_cast<unsigned char>(bytes[i++]);
+          const unsigned int kind   = head >> 5;
+          std::uint64_t      number = head & 31;
+          if (number >= 24 && number <= 27)
+            {
+              const unsigned int width = 1u << (number - 24);
+              number                   = 0;
+              for (unsigned int b = 0; b < width && i < bytes.size(); ++b)
+                number = number << 8 | static_cast<unsigned char>(bytes[i++]);
+            }
+          --open.back();
+          if (kind == 2 || kind == 3)
+            i += std::min<std::uint64_t>(number, bytes.size() - i);
+          else if (kind == 4)
+            open.push_back(number);
+          else if (kind == 5)
+            open.push_back(2 * number);
+          else if (kind == 6)
+            ++open.back(); // a tag, which stands before an item
+          // Items without a given end are written by nobody.
+          if (kind >= 2 && kind <= 6 && (head & 31) == 31)
+            return true;
+          while (!open.empty() && open.back() == 0)
+            open.pop_back();
+          if (open.empty())
+            return false;
+        }
+      return open.size() > deepest;
+    }
+
     void
     expect(const bool is_there, const std::string &what)
     {
       AssertThrow(is_there,
                   dealii::ExcMessage(
-                    "The checkpoint does not say '" + what +
+                    "The checkpoint does not say '" + what.substr(0, 200) +
                     "': it was written by another version of Thalweg or for "
                     "other parameters. Start the run anew, without "
                     "--resume."));
@@ -65,8 +112,11 @@ namespace Thalweg
   Archive::restore(const std::string &bytes)
   {
     Archive archive;
-    archive.mode       = Mode::read;
-    archive.tree->root = Json::from_cbor(bytes, true, /* exceptions */ false);
+    archive.mode = Mode::read;
+    if (!is_too_deep(bytes))
+      archive.tree->root = Json::from_cbor(bytes, true, /* exceptions */ false);
+    else
+      archive.tree->root = Json();
     AssertThrow(archive.tree->root.is_object(),
                 dealii::ExcMessage("The values of a checkpoint cannot be "
                                    "read: the file is damaged."));

@@ -150,22 +150,49 @@ namespace Thalweg
   }
 
 
-  void
-  on_root(const MPI_Comm communicator, const std::function<void()> &work)
+  namespace
   {
-    std::string failure;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    /// Does @p work. @return its message if it fails
+    std::string
+    failure_of(const std::function<void()> &work)
+    {
       try
         {
           work();
         }
       catch (const std::exception &exception)
         {
-          failure = message_of(exception);
-          if (failure.empty())
-            failure = "unknown";
+          const std::string failure = message_of(exception);
+          return failure.empty() ? "unknown" : failure;
         }
+      return "";
+    }
+  } // namespace
+
+
+  void
+  on_root(const MPI_Comm communicator, const std::function<void()> &work)
+  {
+    std::string failure;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      failure = failure_of(work);
     failure = dealii::Utilities::MPI::broadcast(communicator, failure, 0);
     AssertThrow(failure.empty(), dealii::ExcMessage(failure));
+  }
+
+
+  void
+  on_all(const MPI_Comm communicator, const std::function<void()> &work)
+  {
+    namespace MPI              = dealii::Utilities::MPI;
+    std::string        failure = failure_of(work);
+    const unsigned int n_ranks = MPI::n_mpi_processes(communicator);
+    const unsigned int first =
+      MPI::min(failure.empty() ? n_ranks : MPI::this_mpi_process(communicator),
+               communicator);
+    if (first == n_ranks)
+      return;
+    failure = MPI::broadcast(communicator, failure, first);
+    throw dealii::ExcMessage(failure);
   }
 } // namespace Thalweg

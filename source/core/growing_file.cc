@@ -2,6 +2,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <fcntl.h>
 #include <filesystem>
 
 namespace Thalweg
@@ -9,22 +10,11 @@ namespace Thalweg
   namespace
   {
     bool
-    begins_with(const std::string &path, const std::string &header)
+    begins_with(const Descriptor &file, const std::string &header)
     {
-      std::ifstream file(path, std::ios::binary);
-      std::string   text(header.size(), ' ');
-      file.read(text.data(), text.size());
-      return file && text == header;
-    }
-
-
-    void
-    expect(const bool is_well, const std::string &path)
-    {
-      AssertThrow(is_well,
-                  dealii::ExcMessage("Cannot write to '" + path +
-                                     "'. Does the directory exist, may you "
-                                     "write there, and is the disk full?"));
+      std::string text(header.size(), ' ');
+      return file.read(0, text.data(), text.size()) == text.size() &&
+             text == header;
     }
   } // namespace
 
@@ -34,11 +24,10 @@ namespace Thalweg
   GrowingFile::create(const std::string &path, const std::string &header)
   {
     this->path = path;
-    file.close();
-    file.clear();
-    file.open(path, std::ios::binary | std::ios::trunc);
-    expect(bool(file), path);
-    size = 0;
+    file       = std::make_unique<Descriptor>(path,
+                                        O_WRONLY | O_CREAT | O_TRUNC | O_APPEND,
+                                        "write");
+    size       = 0;
     append(header);
   }
 
@@ -50,31 +39,45 @@ namespace Thalweg
                       const std::uint64_t length)
   {
     std::error_code error;
-    const bool      is_there = std::filesystem::exists(path, error);
-    const bool      is_long_enough =
-      is_there && std::filesystem::file_size(path, error) >= length && !error;
-    if (is_long_enough && begins_with(path, header))
+    file.reset();
+    if (!std::filesystem::exists(path, error))
       {
-        std::filesystem::resize_file(path, length, error);
-        file.close();
-        file.clear();
-        file.open(path, std::ios::binary | std::ios::app);
-        expect(!error && file, path);
+        create(path, header);
+        return "The file '" + path +
+               "' that the run had written is missing; it begins anew.";
+      }
+    auto old = std::make_unique<Descriptor>(path, O_RDWR | O_APPEND, "write");
+    const bool is_long_enough = old->size() >= length;
+    if (is_long_enough && begins_with(*old, header))
+      {
+        old->cut(length);
+        file       = std::move(old);
         this->path = path;
         size       = length;
         return "";
       }
-    if (is_there)
-      std::filesystem::rename(path, path + ".old", error);
+    const std::string aside = move_aside(path);
     create(path, header);
-    if (!is_there)
-      return "The file '" + path +
-             "' that the run had written is missing; it begins anew.";
     return "The file '" + path + "' " +
            (is_long_enough ? "has other columns" : "is shorter") +
            " than when the checkpoint was written; it begins anew, and what "
            "it was is now '" +
-           path + ".old'.";
+           aside + "'.";
+  }
+
+
+
+  std::string
+  GrowingFile::begin_anew(const std::string &path, const std::string &header)
+  {
+    std::error_code   error;
+    const bool        is_there = std::filesystem::exists(path, error);
+    const std::string aside    = is_there ? move_aside(path) : "";
+    create(path, header);
+    return is_there
+             ? "The checkpoint does not know the file '" + path +
+                 "': it begins anew, and what it was is now '" + aside + "'."
+             : "";
   }
 
 
@@ -82,8 +85,24 @@ namespace Thalweg
   void
   GrowingFile::append(const std::string &text)
   {
-    file << text;
-    expect(bool(file.flush()), path);
+    file->expect_name();
+    try
+      {
+        file->write(bytes_of(text));
+      }
+    catch (const dealii::ExcMessage &)
+      {
+        // No half row: another run may go on from here.
+        try
+          {
+            file->cut(size);
+          }
+        catch (const dealii::ExcMessage &)
+          {
+            // What failed first is what there is to say.
+          }
+        throw;
+      }
     size += text.size();
   }
 } // namespace Thalweg

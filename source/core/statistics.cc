@@ -3,6 +3,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -24,6 +25,9 @@ namespace Thalweg
       archive.value("names", names);
       archive.value("values", values);
       row.clear();
+      AssertThrow(names.size() == values.size(),
+                  dealii::ExcMessage(
+                    "the rows of its statistics are damaged."));
       for (std::size_t i = 0; i < names.size(); ++i)
         row[names[i]] = values[i];
     }
@@ -91,6 +95,17 @@ namespace Thalweg
 
 
 
+  std::string
+  Statistics::column_without_number() const
+  {
+    const auto found = std::find_if(row.begin(), row.end(), [](const auto &e) {
+      return !std::isfinite(e.second);
+    });
+    return found == row.end() ? "" : found->first;
+  }
+
+
+
   void
   Statistics::end_row()
   {
@@ -149,6 +164,9 @@ namespace Thalweg
     archive.value("first row", first_row);
     keep_row(archive.enter("row"), row);
     keep_row(archive.enter("last row"), last_row);
+    AssertThrow(n_written_columns <= columns.size(),
+                dealii::ExcMessage("the columns of its statistics are "
+                                   "damaged."));
     n_columns_in_file = n_written_columns;
     if (!archive.is_restoring() || path.empty())
       return;

@@ -73,6 +73,31 @@ namespace Thalweg
 
   template <int dim>
   void
+  Mesh<dim>::load(const MeshParameters<dim> &parameters,
+                  const SavedCells          &saved)
+  {
+    const std::string fault =
+      fault_of<dim>(communicator, saved.own, tria->n_global_coarse_cells());
+    AssertThrow(fault.empty(),
+                dealii::ExcMessage("The checkpoint '" + saved.place +
+                                   "' cannot be used: " + fault + "."));
+    parameters.partition->load(*tria, saved);
+    update();
+  }
+
+
+
+  template <int dim>
+  std::vector<CurveCell>
+  Mesh<dim>::cells_on_curve() const
+  {
+    return curve_cells(cell_graph);
+  }
+
+
+
+  template <int dim>
+  void
   Mesh<dim>::repartition()
   {
     dynamic_cast<typename MeshPlan<dim>::Forest &>(*tria).repartition();

@@ -1,10 +1,13 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/particles/face_accounts.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/cell_id.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace Thalweg
 {
@@ -18,6 +21,22 @@ namespace Thalweg
           sum.waiting[f] += share * account.waiting[f];
           sum.owed[f] += share * account.owed[f];
         }
+    }
+
+    /// Whether @p text is the id of a cell, such as "3_2:01", as deal.II reads
+    /// it without looking.
+    bool
+    is_cell_id(const std::string &text)
+    {
+      unsigned int coarse = 0, n_levels = 0;
+      int          place = 0;
+      if (std::sscanf(text.c_str(), "%9u_%2u:%n", &coarse, &n_levels, &place) <
+            2 ||
+          place == 0 || n_levels > 30 || text.size() != place + n_levels)
+        return false;
+      return std::all_of(text.begin() + place, text.end(), [](const char c) {
+        return c >= '0' && c <= '7';
+      });
     }
 
     /// How many levels @p descendant is finer than its @p ancestor.
@@ -83,6 +102,12 @@ namespace Thalweg
     archive.value("cells", cells);
     archive.value("faces", faces);
     archive.value("values", values);
+    AssertThrow(faces.size() == cells.size() &&
+                  values.size() == 4 * cells.size(),
+                dealii::ExcMessage("the accounts of its faces are damaged."));
+    AssertThrow(std::all_of(cells.begin(), cells.end(), is_cell_id),
+                dealii::ExcMessage("a cell in the accounts of its faces has no "
+                                   "name."));
     if (archive.is_restoring())
       distribute(cells, faces, values);
   }

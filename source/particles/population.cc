@@ -60,6 +60,9 @@ namespace Thalweg
       dealii::Utilities::MPI::all_gather(communicator, n_created);
     const auto n_ranks = created.size();
     archive.value("ids of ranks", created);
+    AssertThrow(!created.empty(),
+                dealii::ExcMessage("the numbers of its particles are "
+                                   "damaged."));
     if (created.size() == n_ranks)
       n_created =
         created[dealii::Utilities::MPI::this_mpi_process(communicator)];

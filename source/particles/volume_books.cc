@@ -95,6 +95,9 @@ namespace Thalweg
       }
     archive.value("boundaries", ids);
     archive.value("volumes", values);
+    AssertThrow(values.size() == 6 + 4 * ids.size(),
+                dealii::ExcMessage("the volumes at boundaries in it are "
+                                   "damaged."));
     auto next = values.begin();
     for (double *value :
          {&start[0], &start[1], &lost[0], &lost[1], &owed[0], &owed[1]})

@@ -25,9 +25,13 @@ namespace Thalweg
     if (context.output_directory.empty())
       return;
     path = context.output_directory + "/" + name;
+    on_root(context.communicator, [&]() {
+      context.results.add(name);
+      if (!context.resumed)
+        file.create(path, header);
+    });
     if (context.resumed)
       return;
-    on_root(context.communicator, [&]() { file.create(path, header); });
     length = last_length = header.size();
   }
 
@@ -47,7 +51,11 @@ namespace Thalweg
       return;
     on_root(context.communicator, [&]() {
       if (!file.is_open())
-        file.create(path, header);
+        {
+          const std::string message = file.begin_anew(path, header);
+          if (!message.empty())
+            this->context->log.warning(message);
+        }
       std::ostringstream text;
       text.precision(12);
       for (const std::vector<double> &values : rows)

@@ -1,68 +1,50 @@
 #include <thalweg/core/errors.h>
+#include <thalweg/core/files.h>
 #include <thalweg/postprocess/snapshot_table.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/base/utilities.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <sstream>
 
 namespace Thalweg
 {
   namespace
   {
-    void
-    write_file(const std::string                      &path,
-               const std::vector<std::string>         &columns,
-               const std::vector<std::vector<double>> &rows)
+    std::string
+    text_of(const std::vector<std::string>         &columns,
+            const std::vector<std::vector<double>> &rows)
     {
-      const std::string temporary = path + ".new";
-      std::ofstream     file(temporary, std::ios::trunc);
-      file.precision(12);
+      std::ostringstream text;
+      text.precision(12);
       for (std::size_t c = 0; c < columns.size(); ++c)
-        file << (c > 0 ? "," : "") << columns[c];
-      file << '\n';
+        text << (c > 0 ? "," : "") << columns[c];
+      text << '\n';
       for (const auto &row : rows)
         {
           AssertDimension(row.size(), columns.size());
           for (std::size_t c = 0; c < row.size(); ++c)
             {
-              file << (c > 0 ? "," : "");
+              text << (c > 0 ? "," : "");
               if (std::isfinite(row[c]))
-                file << row[c];
+                text << row[c];
             }
-          file << '\n';
+          text << '\n';
         }
-      file.close();
-      AssertThrow(file,
-                  dealii::ExcMessage("Cannot write to '" + temporary +
-                                     "'. May you write there, and is the disk "
-                                     "full?"));
-      std::filesystem::rename(temporary, path);
+      return text.str();
     }
   } // namespace
 
 
   void
-  SnapshotTable::open(const Context                  &context,
+  SnapshotTable::open(Context                        &context,
                       const std::string              &name,
                       const std::vector<std::string> &columns)
   {
     this->context = &context;
-    this->name    = name;
     this->columns = columns;
-    if (context.output_directory.empty())
-      return;
-    const std::string directory = context.output_directory + "/" + name;
-    on_root(context.communicator, [&]() {
-      std::error_code error;
-      std::filesystem::create_directories(directory, error);
-      AssertThrow(!error,
-                  dealii::ExcMessage("Cannot create the directory '" +
-                                     directory + "': " + error.message() +
-                                     "."));
-    });
+    series.open(context, name, {".csv"});
   }
 
 
@@ -73,18 +55,26 @@ namespace Thalweg
     if (context.output_directory.empty())
       return;
     on_root(context.communicator, [&]() {
-      write_file(path_of(n_written), columns, rows);
-      write_file(context.output_directory + "/" + name + ".csv", columns, rows);
+      series.prepare(n_written == 0);
+      const std::string text = text_of(columns, rows);
+      write_file(path_of(n_written), text);
+      write_file(latest(), text);
     });
     ++n_written;
   }
 
 
   std::string
+  SnapshotTable::latest() const
+  {
+    return series.path() + ".csv";
+  }
+
+
+  std::string
   SnapshotTable::path_of(const unsigned int number) const
   {
-    return context->output_directory + "/" + name + "/" + name + "_" +
-           dealii::Utilities::int_to_string(number, 4) + ".csv";
+    return series.path_of(number) + ".csv";
   }
 
 
@@ -97,18 +87,11 @@ namespace Thalweg
       return;
     n_written = n_kept;
     on_root(context->communicator, [&]() {
-      namespace fs = std::filesystem;
-      const std::string latest =
-        context->output_directory + "/" + name + ".csv";
+      series.drop_from(n_written);
       if (n_written == 0)
-        fs::remove(latest);
-      else if (fs::exists(path_of(n_written - 1)))
-        {
-          fs::copy_file(path_of(n_written - 1),
-                        latest + ".new",
-                        fs::copy_options::overwrite_existing);
-          fs::rename(latest + ".new", latest);
-        }
+        std::filesystem::remove(latest());
+      else if (std::filesystem::exists(path_of(n_written - 1)))
+        write_file(latest(), read_file(path_of(n_written - 1)));
     });
   }
 } // namespace Thalweg

@@ -16,8 +16,8 @@ namespace Thalweg
                 minutes,
                 "min",
                 "The same by the clock, in minutes of the run; 0: not by the "
-                "clock. Besides, SIGUSR1 saves the state, and SIGTERM saves it "
-                "and ends the run.",
+                "clock. Besides, SIGUSR1 saves the state, and SIGTERM, SIGINT "
+                "and SIGHUP save it and end the run.",
                 dealii::Patterns::Double(0.));
     section.add("At the end",
                 at_end,

@@ -1,27 +1,22 @@
 #include <thalweg/core/errors.h>
+#include <thalweg/core/files.h>
 #include <thalweg/simulation/checkpoint_store.h>
-#include <thalweg/simulation/run_directory.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <functional>
+#include <utility>
 
 namespace Thalweg
 {
   namespace fs = std::filesystem;
-  using Json   = nlohmann::json;
 
   namespace
   {
-    /// Of the files and what they mean; another number is another format.
-    constexpr unsigned int format      = 1;
     constexpr unsigned int n_kept      = 2;
-    const std::string      manifest    = "manifest.json";
     const std::string      part_ending = ".part";
 
     std::string
@@ -32,82 +27,62 @@ namespace Thalweg
       return name;
     }
 
-    unsigned int
-    checksum(const fs::path &path)
+
+
+    /// The step after which a checkpoint called @p name was written, and
+    /// whether that is the name of one.
+    std::pair<unsigned int, bool>
+    step_of(const std::string &name)
     {
-      boost::crc_32_type crc;
-      std::ifstream      file(path, std::ios::binary);
-      std::vector<char>  buffer(1 << 20);
-      while (file)
-        {
-          file.read(buffer.data(), buffer.size());
-          crc.process_bytes(buffer.data(), file.gcount());
-        }
-      return crc.checksum();
+      unsigned int step = 0;
+      std::sscanf(name.c_str(), "step_%10u", &step);
+      return {step, name == name_of(step)};
     }
 
+
+
     /// Whole checkpoints or not, the newest first.
-    std::vector<fs::path>
+    std::vector<std::pair<unsigned int, std::string>>
     all_checkpoints(const std::string &root)
     {
-      std::vector<fs::path> found;
-      std::error_code       error;
-      for (const auto &entry : fs::directory_iterator(root, error))
-        if (entry.is_directory() && entry.path().extension() != part_ending)
-          found.push_back(entry.path());
+      std::vector<std::pair<unsigned int, std::string>> found;
+      std::error_code                                   error;
+      for (auto entry = fs::directory_iterator(root, error);
+           !error && entry != fs::directory_iterator();
+           entry.increment(error))
+        {
+          const auto [step, is_one] =
+            step_of(entry->path().filename().string());
+          if (is_one && entry->is_directory(error))
+            found.emplace_back(step, entry->path().string());
+        }
       std::sort(found.rbegin(), found.rend());
       return found;
     }
 
-    /// What is wrong with the files of a checkpoint; empty if nothing is.
-    std::string
-    fault_of(const fs::path &directory, Json &content)
+
+
+    /// Removes what runs that were killed have left half.
+    void
+    remove_parts(const std::string &root)
     {
-      std::ifstream file(directory / manifest);
-      if (!file)
-        return "it has no " + manifest;
-      content = Json::parse(file, nullptr, false);
-      if (!content.is_object())
-        return "its " + manifest + " is damaged";
-      if (content.value("format", 0u) != format)
-        return "it was written by Thalweg " +
-               content.value("version", std::string("of unknown version")) +
-               ", whose format this version does not read";
-      for (const auto &[name, entry] : content["files"].items())
-        {
-          std::error_code error;
-          const auto      size = fs::file_size(directory / name, error);
-          if (error)
-            return "its file '" + name + "' is missing";
-          if (size != entry["size"].get<std::uintmax_t>())
-            return "its file '" + name + "' has " + std::to_string(size) +
-                   " bytes instead of " + entry["size"].dump();
-          if (checksum(directory / name) !=
-              entry["checksum"].get<unsigned int>())
-            return "its file '" + name + "' is damaged";
-        }
-      return "";
+      std::vector<fs::path> parts;
+      std::error_code       error;
+      for (const auto &entry : fs::directory_iterator(root, error))
+        if (entry.path().extension() == part_ending &&
+            step_of(entry.path().stem().string()).second)
+          parts.push_back(entry.path());
+      for (const fs::path &part : parts)
+        fs::remove_all(part, error);
     }
+
+
 
     std::string
     nothing_in(const std::string &root, const std::string &faults)
     {
       return "There is no checkpoint to go on from in '" + root + "'. " +
              faults + "Run without --resume; the run then starts from time 0.";
-    }
-
-    CheckpointOutline
-    outline_of(const std::string &directory, const Json &content)
-    {
-      CheckpointOutline outline;
-      outline.directory   = directory;
-      outline.step        = content["step"];
-      outline.time        = content["time"];
-      outline.coarse_mesh = content["coarse mesh"];
-      outline.cells_of_ranks =
-        content["cells of ranks"].get<std::vector<unsigned int>>();
-      outline.settings = content["settings"].get<Settings>();
-      return outline;
     }
   } // namespace
 
@@ -130,74 +105,131 @@ namespace Thalweg
 
 
 
-  void
-  CheckpointStore::set_aside()
+  std::string
+  CheckpointStore::write(CheckpointOutline        outline,
+                         const CheckpointContent &content)
   {
-    if (context.output_directory.empty())
-      return;
-    on_root(context.communicator, [&]() {
-      if (!fs::exists(root))
-        return;
-      const std::string aside = root + ".old";
-      std::error_code   error;
-      fs::remove_all(aside, error);
-      fs::rename(root, aside, error);
-      AssertThrow(!error,
-                  dealii::ExcMessage("Cannot move the checkpoints in '" + root +
-                                     "' to '" + aside +
-                                     "': " + error.message() + "."));
-      context.log.line("The checkpoints of an earlier run are in " + aside +
-                       "/ now");
+    const std::string part = root + "/" + name_of(outline.step) + part_ending;
+    try
+      {
+        on_root(context.communicator, [&]() {
+          make_directory(root);
+          remove_parts(root);
+          make_directory(part);
+        });
+        write_files(part, outline, content);
+        on_root(context.communicator, [&]() { take_over(part, outline.step); });
+      }
+    catch (const dealii::ExcMessage &failure)
+      {
+        std::error_code error;
+        if (context.is_root)
+          fs::remove_all(part, error);
+        return message_of(failure);
+      }
+    return "";
+  }
+
+
+
+  void
+  CheckpointStore::write_files(const std::string       &directory,
+                               CheckpointOutline       &outline,
+                               const CheckpointContent &content) const
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    CheckpointFile own;
+    on_all(context.communicator, [&]() {
+      own = write_cells(directory + "/" +
+                          CheckpointNames::cells(
+                            MPI::this_mpi_process(context.communicator)),
+                        content.cells,
+                        content.packed);
     });
+    const std::vector<std::uint64_t> numbers{own.size,
+                                             own.checksum,
+                                             own.n_cells};
+    outline.cells.clear();
+    for (const auto &n : MPI::gather(context.communicator, numbers))
+      outline.cells.push_back({n[0], n[1], n[2]});
+    on_root(context.communicator, [&]() {
+      write_file(directory + "/" + CheckpointNames::values,
+                 content.values,
+                 Durability::on_disk);
+      outline.values = {content.values.size(),
+                        checksum_of({bytes_of(content.values)}),
+                        0};
+      write_file(directory + "/" + CheckpointNames::manifest,
+                 manifest_of(outline),
+                 Durability::on_disk);
+    });
+  }
+
+
+
+  void
+  CheckpointStore::take_over(const std::string &directory,
+                             const unsigned int step) const
+  {
+    const std::string place    = root + "/" + name_of(step);
+    const std::string replaced = place + ".replaced" + part_ending;
+    std::error_code   error;
+    sync_directory(directory);
+    fs::remove_all(replaced, error);
+    if (fs::exists(place, error))
+      rename_file(place, replaced);
+    rename_file(directory, place);
+    sync_directory(root);
+    fs::remove_all(replaced, error);
+    unsigned int n = 0;
+    for (const auto &[other, path] : all_checkpoints(root))
+      // Those of later steps were of no use, or the run would have gone on
+      // from them.
+      if (other > step || ++n > n_kept)
+        fs::remove_all(path, error);
   }
 
 
 
   std::string
-  CheckpointStore::begin(const unsigned int step)
+  CheckpointStore::fault_of(const std::string &directory,
+                            CheckpointOutline &outline) const
   {
-    unfinished = root + "/" + name_of(step) + part_ending;
-    on_root(context.communicator, [&]() {
-      std::error_code error;
-      fs::remove_all(unfinished, error);
-      fs::create_directories(unfinished, error);
-      AssertThrow(!error,
-                  dealii::ExcMessage(
-                    "Cannot create the directory '" + unfinished +
-                    "' for a checkpoint: " + error.message() + "."));
+    namespace MPI    = dealii::Utilities::MPI;
+    const auto  rank = MPI::this_mpi_process(context.communicator);
+    const auto  n    = MPI::n_mpi_processes(context.communicator);
+    std::string fault;
+    const auto  look = [&](const std::function<std::string()> &find) {
+      try
+        {
+          fault = find();
+        }
+      catch (const std::exception &exception)
+        {
+          fault = message_of(exception);
+        }
+      const auto all = MPI::all_gather(context.communicator, fault);
+      const auto first =
+        std::find_if(all.begin(), all.end(), [](const std::string &of_rank) {
+          return !of_rank.empty();
+        });
+      fault = first == all.end() ? "" : *first;
+      return !fault.empty();
+    };
+    if (look([&]() { return read_manifest(directory, outline); }))
+      return fault;
+    look([&]() {
+      std::string found;
+      if (rank == 0)
+        found =
+          fault_of_file(directory, CheckpointNames::values, outline.values);
+      for (unsigned int r = rank; r < outline.cells.size() && found.empty();
+           r += n)
+        found =
+          fault_of_file(directory, CheckpointNames::cells(r), outline.cells[r]);
+      return found;
     });
-    return unfinished;
-  }
-
-
-
-  void
-  CheckpointStore::commit(const CheckpointOutline &outline)
-  {
-    on_root(context.communicator, [&]() {
-      Json content{{"format", format},
-                   {"version", THALWEG_VERSION},
-                   {"step", outline.step},
-                   {"time", outline.time},
-                   {"coarse mesh", outline.coarse_mesh},
-                   {"cells of ranks", outline.cells_of_ranks},
-                   {"settings", outline.settings}};
-      for (const auto &file : fs::directory_iterator(unfinished))
-        content["files"][file.path().filename().string()] = {
-          {"size", file.file_size()}, {"checksum", checksum(file.path())}};
-      write_file(unfinished + "/" + manifest, content.dump(1) + "\n");
-      const fs::path  place = root + "/" + name_of(outline.step);
-      std::error_code error;
-      fs::remove_all(place, error);
-      fs::rename(unfinished, place, error);
-      AssertThrow(!error,
-                  dealii::ExcMessage("Cannot write the checkpoint '" +
-                                     place.string() + "': " + error.message() +
-                                     "."));
-      const auto all = all_checkpoints(root);
-      for (unsigned int i = n_kept; i < all.size(); ++i)
-        fs::remove_all(all[i], error);
-    });
+    return fault;
   }
 
 
@@ -205,29 +237,25 @@ namespace Thalweg
   CheckpointOutline
   CheckpointStore::find_newest()
   {
-    std::string directory, text;
-    on_root(context.communicator, [&]() {
-      std::string faults;
-      for (const fs::path &candidate : all_checkpoints(root))
-        {
-          Json              content;
-          const std::string fault = fault_of(candidate, content);
-          if (fault.empty())
-            {
-              directory = candidate.string();
-              text      = content.dump();
-              return;
-            }
-          faults += "The checkpoint '" + candidate.string() +
-                    "' cannot be used: " + fault + ". ";
-          context.log.warning("The checkpoint '" + candidate.string() +
-                              "' cannot be used: " + fault + ".");
-        }
-      AssertThrow(false, dealii::ExcMessage(nothing_in(root, faults)));
-    });
-    directory =
-      dealii::Utilities::MPI::broadcast(context.communicator, directory, 0);
-    text = dealii::Utilities::MPI::broadcast(context.communicator, text, 0);
-    return outline_of(directory, Json::parse(text));
+    namespace MPI = dealii::Utilities::MPI;
+    const std::vector<std::pair<unsigned int, std::string>> candidates =
+      MPI::broadcast(context.communicator,
+                     context.is_root
+                       ? all_checkpoints(root)
+                       : std::vector<std::pair<unsigned int, std::string>>());
+    std::string faults;
+    for (const auto &[step, directory] : candidates)
+      {
+        CheckpointOutline outline;
+        const std::string fault = fault_of(directory, outline);
+        if (fault.empty())
+          return outline;
+        faults +=
+          "The checkpoint '" + directory + "' cannot be used: " + fault + ". ";
+        context.log.warning("The checkpoint '" + directory +
+                            "' cannot be used: " + fault + ".");
+      }
+    AssertThrow(false, dealii::ExcMessage(nothing_in(root, faults)));
+    return {};
   }
 } // namespace Thalweg

@@ -100,7 +100,7 @@ namespace Thalweg
     {
       const State<dim> state(values);
       keep(state);
-      transfer.pack(state, true);
+      transfer.pack(state);
     }
     change();
     mesh.update();

@@ -71,6 +71,19 @@ namespace Thalweg
     }
 
 
+    /// That what was asked for has been written.
+    int
+    flush_output(const MPI_Comm communicator)
+    {
+      on_root(communicator, []() {
+        AssertThrow(std::cout.flush(),
+                    dealii::ExcMessage("Cannot write to the standard output. "
+                                       "Is it a file on a full disk?"));
+      });
+      return 0;
+    }
+
+
     std::string
     processes(const MPI_Comm communicator)
     {
@@ -102,7 +115,7 @@ namespace Thalweg
           throw_faults(faults);
           if (context.is_root)
             print_reference(std::cout, prm, options.parameters);
-          return 0;
+          return flush_output(communicator);
         }
       check(parameters, communicator, faults);
       throw_faults(faults);
@@ -125,6 +138,7 @@ namespace Thalweg
       context.resumed = options.resume;
       if (context.resumed)
         CheckpointStore::expect_any(directory);
+      StopSignals signals(communicator);
       prepare_run_directory(context, directory, with_home(options.file), prm);
 
       context.log.line("Thalweg " THALWEG_VERSION ", " +
@@ -137,7 +151,7 @@ namespace Thalweg
                                  parameters,
                                  context,
                                  settings_of(prm));
-      const int       signal = simulation.run();
+      const int       signal = simulation.run(signals);
       context.log.line("The results are in " + directory + "/");
       return signal == 0 ? 0 : 128 + signal;
     }
@@ -151,7 +165,7 @@ namespace Thalweg
       {
         if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
           std::cout << (options.help ? help_text() : version_text());
-        return 0;
+        return flush_output(communicator);
       }
     // A dimension that does not exist is reported with the other faults, as
     // those of two dimensions.

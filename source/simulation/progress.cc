@@ -1,3 +1,5 @@
+#include <thalweg/core/errors.h>
+#include <thalweg/core/files.h>
 #include <thalweg/simulation/progress.h>
 
 #include <cmath>
@@ -108,12 +110,8 @@ namespace Thalweg
                       : "");
     context.log.line("Ended after " + steps + " and " + duration(total) +
                      ". Wall time by phase:");
-    std::ofstream csv;
-    if (context.is_root && !context.output_directory.empty())
-      {
-        csv.open(context.output_directory + "/timers.csv");
-        csv << "phase,wall time [s],part\n";
-      }
+    std::ostringstream csv;
+    csv << "phase,wall time [s],part\n";
     double rest = total;
     for (const auto &[phase, seconds] : times)
       {
@@ -137,5 +135,9 @@ namespace Thalweg
                   100. * rest / total);
     context.log.line(text);
     csv << "everything else," << rest << ',' << rest / total << '\n';
+    if (!context.output_directory.empty())
+      on_root(context.communicator, [&]() {
+        write_file(context.output_directory + "/timers.csv", csv.str());
+      });
   }
 } // namespace Thalweg

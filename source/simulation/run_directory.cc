@@ -3,10 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace Thalweg
@@ -28,44 +25,18 @@ namespace Thalweg
 
 
   void
-  write_file(const std::string &path, const std::string &content)
-  {
-    const std::string temporary = path + ".part";
-    std::ofstream     file(temporary, std::ios::binary | std::ios::trunc);
-    file << content;
-    file.close();
-    AssertThrow(file,
-                dealii::ExcMessage("Cannot write the file '" + path +
-                                   "': " + std::strerror(errno) +
-                                   ". Choose another place with --output "
-                                   "DIR."));
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    AssertThrow(!error,
-                dealii::ExcMessage("Cannot write the file '" + path +
-                                   "': " + error.message() + '.'));
-  }
-
-
-  std::string
-  read_file(const std::string &path)
-  {
-    const std::ifstream file(path, std::ios::binary);
-    std::ostringstream  content;
-    content << file.rdbuf();
-    AssertThrow(file, dealii::ExcMessage("Cannot read '" + path + "'."));
-    return content.str();
-  }
-
-
-  void
   prepare_run_directory(Context                        &context,
                         const std::string              &directory,
                         const std::string              &input_file,
                         const dealii::ParameterHandler &prm)
   {
+    std::string aside;
     on_root(context.communicator, [&]() {
       create_directory(directory);
+      context.lock = std::make_unique<RunLock>(directory);
+      if (!context.resumed)
+        aside = Results::set_aside(directory);
+      context.results.open(directory);
       const bool has_original =
         context.resumed && std::filesystem::exists(directory + "/original.prm");
       if (!input_file.empty() && !has_original)
@@ -76,10 +47,11 @@ namespace Thalweg
                              dealii::ParameterHandler::PRM |
                              dealii::ParameterHandler::KeepDeclarationOrder));
       write_file(directory + "/parameters.prm", parameters.str());
-      if (!context.resumed)
-        write_file(directory + "/log.txt", "");
+      context.log.open(directory + "/log.txt", context.resumed);
     });
-    context.log.open(directory + "/log.txt", context.resumed);
     context.output_directory = directory;
+    if (!aside.empty())
+      context.log.line("The results of an earlier run are in " + aside +
+                       "/ now");
   }
 } // namespace Thalweg

@@ -1,3 +1,4 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/flow_quantities.h>
@@ -6,7 +7,7 @@
 #include <thalweg/simulation/statistics_columns.h>
 
 #include <cmath>
-#include <csignal>
+#include <limits>
 #include <sstream>
 
 namespace Thalweg
@@ -98,14 +99,18 @@ namespace Thalweg
               {
                 const double u =
                   velocity.local_element(dim * parts->nodes().nodes(c)[v] + d);
-                sum =
-                  std::max(sum, std::abs(u) * graph.cell(c).inverse_extent[d]);
+                const double own =
+                  std::abs(u) * graph.cell(c).inverse_extent[d];
+                sum = own <= sum ? sum : own;
                 squares += u * u;
               }
-            rate = std::max(rate,
-                            graph.cell(c).axis_parallel
-                              ? sum
-                              : std::sqrt(squares) / shortest);
+            const double own =
+              graph.cell(c).axis_parallel ? sum : std::sqrt(squares) / shortest;
+            // std::max() would drop what is no number.
+            if (!(own <= rate))
+              rate = std::isfinite(own)
+                       ? own
+                       : std::numeric_limits<double>::infinity();
           }
       }
     return dealii::Utilities::MPI::max(rate, context.communicator);
@@ -148,81 +153,19 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::give_up(const std::string &reason)
-  {
-    std::string advice;
-    if (!context.output_directory.empty())
-      {
-        save();
-        advice = " The state before the step is saved: change what may be the "
-                 "cause, the tolerance or the number of iterations of the "
-                 "solver or 'Time/Courant number', and go on with --resume.";
-      }
-    std::ostringstream message;
-    message << "Step " << step + 1 << " (t = " << time
-            << " s) failed again and again, at last with a size of " << dt
-            << " s: " << reason << advice;
-    throw SolverFailure(message.str());
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::advance()
-  {
-    constexpr unsigned int most_halvings = 4;
-    parts->check_flux_balance_of_step(time + dt);
-    before_step.save(*parts);
-    const Archive row;
-    context.statistics.keep(row, context.log);
-    for (unsigned int n_halvings = 0;; ++n_halvings)
-      try
-        {
-          // For warnings during the step.
-          context.statistics.set("step", step + 1);
-          context.statistics.set("time [s]", time);
-          parameters.method->advance(time, dt);
-          break;
-        }
-      catch (const SolverFailure &failure)
-        {
-          before_step.restore(*parts);
-          // What the failed attempt counted is not of the step.
-          context.statistics.keep(row.reader(), context.log);
-          if (n_halvings == most_halvings)
-            give_up(failure.what());
-          dt *= .5;
-          std::ostringstream message;
-          message << "Step " << step + 1 << " (t = " << time
-                  << " s) failed: " << failure.what()
-                  << " It is repeated with half the size, " << dt << " s.";
-          context.log.warning(message.str());
-        }
-    last_dt   = dt;
-    wanted_dt = dt == plan.size ? plan.wanted : dt;
-    time      = dt == plan.size ? plan.end : time + dt;
-    ++step;
-  }
-
-
-
-  template <int dim>
-  void
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
     context.statistics.declare(leading_columns());
-    if (context.is_root && !context.output_directory.empty())
-      context.statistics.open(context.output_directory + "/statistics.csv",
-                              context.resumed);
+    if (!context.output_directory.empty())
+      on_root(context.communicator, [&]() {
+        context.statistics.open(context.output_directory + "/statistics.csv",
+                                context.resumed);
+      });
     Archive values;
     if (context.resumed)
       values = load_mesh(checkpoint);
     else
-      {
-        checkpoints.set_aside();
-        start();
-      }
+      start();
     announce_frame(parameters.forces.frame(), context);
     postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
@@ -234,63 +177,10 @@ namespace Thalweg
       load_state(checkpoint, values);
     find_viscous_limit();
     parts->check_flux_balance(time);
-    check_finite(view());
+    on_all(context.communicator, [&]() { check_finite(view()); });
     announce();
     if (!context.resumed)
       postprocess();
-  }
-
-
-
-  template <int dim>
-  int
-  Simulation<dim>::run()
-  {
-    StopSignals       signals;
-    StopSignals::Wish wish = StopSignals::Wish::nothing;
-    CheckpointOutline checkpoint;
-    if (context.resumed)
-      {
-        checkpoint = checkpoints.find_newest();
-        if (parameters.time.is_over(checkpoint.time, checkpoint.step))
-          {
-            context.log.warning("The run has ended already. To go on, write a "
-                                "later 'Time/End time'.");
-            return 0;
-          }
-      }
-    begin(checkpoint);
-    while (!parameters.time.is_over(time, step) &&
-           wish != StopSignals::Wish::stop)
-      {
-        choose_step();
-        if (adaptation->before_step(step, dt))
-          {
-            find_viscous_limit();
-            choose_step();
-          }
-        advance();
-        check_finite(view());
-        wish = signals.wish(context.communicator);
-        record();
-        postprocess();
-        progress.report(step,
-                        time,
-                        parameters.time.end_time(),
-                        dt,
-                        rate * dt,
-                        context.statistics.get("particles"),
-                        parameters.time.is_over(time, step));
-        context.statistics.end_row();
-        save_if_due(wish);
-      }
-    progress.summarize(step);
-    if (wish != StopSignals::Wish::stop)
-      return 0;
-    context.log.warning("Stopped by SIGTERM after step " +
-                        std::to_string(step) +
-                        ". To go on, run again with --resume.");
-    return SIGTERM;
   }
 
 

@@ -1,19 +1,18 @@
 // What Simulation writes into checkpoints and reads from them.
 #include <thalweg/core/errors.h>
-#include <thalweg/simulation/run_directory.h>
+#include <thalweg/core/files.h>
+#include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/simulation.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
+#include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace Thalweg
 {
   namespace
   {
-    // The files of a checkpoint, beside those that deal.II calls mesh*.
-    const std::string mesh_file   = "/mesh";
-    const std::string values_file = "/values.cbor";
-
     std::string
     join(const std::vector<std::string> &sentences)
     {
@@ -23,15 +22,84 @@ namespace Thalweg
       return text;
     }
 
-    /// The values in the checkpoint in @p directory. Collective.
+    /// The values of @p checkpoint. Collective.
     Archive
-    read_values(const MPI_Comm communicator, const std::string &directory)
+    read_values(const MPI_Comm           communicator,
+                const CheckpointOutline &checkpoint)
     {
       std::string bytes;
-      on_root(communicator,
-              [&]() { bytes = read_file(directory + values_file); });
+      on_root(communicator, [&]() {
+        bytes = read_file(checkpoint.directory + "/" + CheckpointNames::values);
+      });
       return Archive::restore(
         dealii::Utilities::MPI::broadcast(communicator, bytes, 0));
+    }
+
+
+
+    /// Which cells of @p checkpoint come to this rank.
+    SavedCells
+    saved_cells(const MPI_Comm           communicator,
+                const CheckpointOutline &checkpoint)
+    {
+      namespace MPI = dealii::Utilities::MPI;
+      SavedCells saved;
+      saved.place           = checkpoint.directory;
+      saved.n_old_ranks     = checkpoint.cells.size();
+      saved.n_ranks         = MPI::n_mpi_processes(communicator);
+      std::uint64_t n_cells = 0;
+      for (const CheckpointFile &file : checkpoint.cells)
+        n_cells += file.n_cells;
+      saved.first_of_rank.push_back(0);
+      for (unsigned int r = 0; r < saved.n_ranks; ++r)
+        saved.first_of_rank.push_back(saved.n_ranks == saved.n_old_ranks
+                                        ? saved.first_of_rank.back() +
+                                            checkpoint.cells[r].n_cells
+                                        : n_cells * (r + 1) / saved.n_ranks);
+      const auto rank = MPI::this_mpi_process(communicator);
+      on_all(communicator, [&]() {
+        saved.own = read_curve_cells(checkpoint,
+                                     saved.first_of_rank[rank],
+                                     saved.first_of_rank[rank + 1]);
+      });
+      return saved;
+    }
+
+
+
+    /// The numbers of the first cell of this rank among those of all, and of
+    /// the first one behind.
+    template <int dim>
+    std::pair<std::uint64_t, std::uint64_t>
+    cells_of_rank(const Mesh<dim> &mesh)
+    {
+      const std::uint64_t n     = mesh.graph().n_owned_cells();
+      std::uint64_t       begin = 0;
+      MPI_Exscan(&n,
+                 &begin,
+                 1,
+                 MPI_UINT64_T,
+                 MPI_SUM,
+                 mesh.triangulation().get_communicator());
+      return {begin, begin + n};
+    }
+
+
+
+    /// Does @p work, and lets its exceptions name @p checkpoint.
+    template <typename Work>
+    void
+    with_name_of(const CheckpointOutline &checkpoint, const Work &work)
+    {
+      try
+        {
+          work();
+        }
+      catch (const dealii::ExcMessage &failure)
+        {
+          throw dealii::ExcMessage("The checkpoint '" + checkpoint.directory +
+                                   "' cannot be used: " + message_of(failure));
+        }
     }
   } // namespace
 
@@ -66,40 +134,42 @@ namespace Thalweg
 
 
   template <int dim>
-  void
+  bool
   Simulation<dim>::save()
   {
     if (context.output_directory.empty())
-      return;
+      return false;
     dealii::TimerOutput::Scope scope(context.timers, "checkpoint");
-    const std::string          directory = checkpoints.begin(step);
-    const Archive              values;
-    const State<dim>           state(values);
+    // Also where it fails: the next one is due as long after.
+    saved_step = step;
+    saved_at   = std::chrono::steady_clock::now();
+    const Archive    values;
+    const State<dim> state(values);
     parts->keep_constants(values.enter("constants"));
     keep(state);
     MeshTransfer<dim> transfer(mesh, parts->particles());
-    transfer.pack(state, false);
-    mesh.triangulation().save(directory + mesh_file);
+    CheckpointContent content;
+    content.cells  = mesh.cells_on_curve();
+    content.packed = transfer.pack_to_save(state);
     transfer.keep(values.enter("fields"));
-    on_root(context.communicator,
-            [&]() { write_file(directory + values_file, values.bytes()); });
+    content.values = values.bytes();
     CheckpointOutline outline;
-    outline.step        = step;
-    outline.time        = time;
-    outline.coarse_mesh = mesh.coarse_checksum();
-    outline.cells_of_ranks =
-      dealii::Utilities::MPI::all_gather(context.communicator,
-                                         mesh.graph().n_owned_cells());
-    outline.settings = settings;
-    checkpoints.commit(outline);
-    saved_step = step;
-    saved_at   = std::chrono::steady_clock::now();
+    outline.step              = step;
+    outline.time              = time;
+    outline.coarse_mesh       = mesh.coarse_checksum();
+    outline.settings          = settings;
+    const std::string failure = checkpoints.write(outline, content);
+    if (!failure.empty())
+      context.log.warning("The state after step " + std::to_string(step) +
+                          " is not saved: " + failure +
+                          " Checkpoints that are there remain.");
+    return failure.empty();
   }
 
 
 
   template <int dim>
-  void
+  bool
   Simulation<dim>::save_if_due(const StopSignals::Wish wish)
   {
     const auto &when    = parameters.checkpoint;
@@ -111,8 +181,8 @@ namespace Thalweg
       (when.steps > 0 && step >= saved_step + when.steps) ||
       (when.minutes > 0 && elapsed.count() > 60. * when.minutes);
     // Clocks differ from process to process.
-    if (dealii::Utilities::MPI::logical_or(is_due, context.communicator))
-      save();
+    return dealii::Utilities::MPI::logical_or(is_due, context.communicator) &&
+           !save();
   }
 
 
@@ -149,15 +219,31 @@ namespace Thalweg
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     mesh.create_to_load(parameters.mesh);
     check(checkpoint);
-    mesh.triangulation().load(checkpoint.directory + mesh_file);
-    mesh.update();
+    mesh.load(parameters.mesh, saved_cells(context.communicator, checkpoint));
     parts = std::make_unique<SimulationParts<dim>>(parameters, context, mesh);
     make_adaptation();
-    const Archive values =
-      read_values(context.communicator, checkpoint.directory);
-    parts->keep_constants(values.enter("constants"));
+    Archive values;
+    with_name_of(checkpoint, [&]() {
+      values = read_values(context.communicator, checkpoint);
+      parts->keep_constants(values.enter("constants"));
+    });
     parts->build();
     return values;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::check_numbers(const CheckpointOutline &checkpoint) const
+  {
+    const bool is_good = time == checkpoint.time && step == checkpoint.step &&
+                         std::isfinite(last_dt) && last_dt >= 0. &&
+                         std::isfinite(wanted_dt) && wanted_dt >= 0.;
+    AssertThrow(is_good,
+                dealii::ExcMessage("time or steps in its " +
+                                   std::string(CheckpointNames::values) +
+                                   " are wrong."));
   }
 
 
@@ -169,12 +255,21 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     const State<dim>           state(values);
-    keep(state);
-    MeshTransfer<dim> transfer(mesh, parts->particles());
-    transfer.keep(values.enter("fields"));
-    transfer.prepare_loaded();
-    transfer.unpack(state);
+    MeshTransfer<dim>          transfer(mesh, parts->particles());
+    with_name_of(checkpoint, [&]() {
+      keep(state);
+      transfer.keep(values.enter("fields"));
+      on_all(context.communicator, [&]() { check_numbers(checkpoint); });
+    });
+    const auto [begin, end] = cells_of_rank(mesh);
+    PackedCells cells;
+    on_all(context.communicator,
+           [&]() { cells = read_packed_cells(checkpoint, begin, end); });
+    with_name_of(checkpoint, [&]() { transfer.unpack_saved(state, cells); });
     parts->update();
+    with_name_of(checkpoint, [&]() {
+      on_all(context.communicator, [&]() { check_finite(view()); });
+    });
     saved_step = step;
     std::ostringstream message;
     message << "Going on from '" << checkpoint.directory << "', step " << step
@@ -188,13 +283,13 @@ namespace Thalweg
   Simulation<2>::keep(const State<2> &);
   template void
   Simulation<3>::keep(const State<3> &);
-  template void
+  template bool
   Simulation<2>::save();
-  template void
+  template bool
   Simulation<3>::save();
-  template void
+  template bool
   Simulation<2>::save_if_due(const StopSignals::Wish);
-  template void
+  template bool
   Simulation<3>::save_if_due(const StopSignals::Wish);
   template Archive
   Simulation<2>::load_mesh(const CheckpointOutline &);

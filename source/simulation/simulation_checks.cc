@@ -45,7 +45,7 @@ namespace Thalweg
             << ": either the solution diverges, or the step is far too long. "
                "Reduce 'Time/Courant number' or 'Time/Time step', and check "
                "velocities and units in the input.";
-    AssertThrow(false, dealii::ExcMessage(message.str()));
+    throw StepRefused(message.str());
   }
 
 

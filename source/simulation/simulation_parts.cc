@@ -8,6 +8,7 @@
 #include <thalweg/simulation/simulation_parts.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Thalweg
 {
@@ -300,6 +301,9 @@ namespace Thalweg
   SimulationParts<dim>::keep_constants(const Archive &archive)
   {
     archive.value("carried distance", carried_distance);
+    AssertThrow(carried_distance >= 0. && std::isfinite(carried_distance),
+                dealii::ExcMessage("the distance that its particles carry is "
+                                   "damaged."));
   }
 
 

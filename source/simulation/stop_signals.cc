@@ -2,40 +2,109 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <csignal>
+#include <cstring>
+#include <unistd.h>
 
 namespace Thalweg
 {
   namespace
   {
-    volatile std::sig_atomic_t is_told_to_stop = 0;
+    volatile std::sig_atomic_t told_to_stop    = 0; ///< number of the signal
     volatile std::sig_atomic_t is_told_to_save = 0;
+    volatile std::sig_atomic_t has_steps       = 0;
+    volatile std::sig_atomic_t may_speak       = 0;
 
-    using Handler = void (*)(int);
-    Handler old_term, old_user;
+    /// Whether the one who started the process wants a signal to be ignored,
+    /// as nohup does. Asked before main(): libraries catch signals too.
+    bool
+    is_ignored(const int number)
+    {
+      struct sigaction action;
+      return ::sigaction(number, nullptr, &action) == 0 &&
+             action.sa_handler == SIG_IGN;
+    }
+
+    const std::map<int, bool> is_ignored_from_the_start{
+      {SIGTERM, is_ignored(SIGTERM)},
+      {SIGINT, is_ignored(SIGINT)},
+      {SIGHUP, is_ignored(SIGHUP)},
+      {SIGUSR1, is_ignored(SIGUSR1)}};
+
+    /// Ends the process; calls only what a handler of signals may call.
+    [[noreturn]] void
+    end_at_once(const int number, const char *text)
+    {
+      if (may_speak)
+        {
+          const ssize_t written =
+            ::write(STDERR_FILENO, text, std::strlen(text));
+          static_cast<void>(written); // there is nobody else to tell
+        }
+      ::_exit(128 + number);
+    }
 
     extern "C" void
-    note_signal(int signal)
+    note_signal(int number)
     {
-      (signal == SIGTERM ? is_told_to_stop : is_told_to_save) = 1;
+      if (number == SIGUSR1)
+        is_told_to_save = 1;
+      else if (!has_steps)
+        end_at_once(number,
+                    "Warning: Stopped by a signal before the first step: there "
+                    "is nothing new to save.\n");
+      else if (number == SIGINT && told_to_stop == SIGINT)
+        end_at_once(number,
+                    "Warning: Stopped at once by a second SIGINT: the step is "
+                    "not saved.\n");
+      else
+        told_to_stop = number;
     }
   } // namespace
 
 
 
-  StopSignals::StopSignals()
+  StopSignals::StopSignals(const MPI_Comm communicator)
   {
-    is_told_to_stop = is_told_to_save = 0;
-    old_term                          = std::signal(SIGTERM, note_signal);
-    old_user                          = std::signal(SIGUSR1, note_signal);
+    told_to_stop = is_told_to_save = has_steps = 0;
+
+    may_speak = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGUSR1, SIGUSR2})
+      handle(number, note_signal);
+    // For good: MPI writes files, too, when it ends.
+    for (const int number : {SIGPIPE, SIGXFSZ})
+      std::signal(number, SIG_IGN);
   }
 
 
 
   StopSignals::~StopSignals()
   {
-    std::signal(SIGTERM, old_term);
-    std::signal(SIGUSR1, old_user);
+    for (const auto &[number, action] : old)
+      ::sigaction(number, &action, nullptr);
+  }
+
+
+
+  void
+  StopSignals::handle(const int number, void (*handler)(int))
+  {
+    struct sigaction action, &before = old[number];
+    ::sigaction(number, nullptr, &before);
+    const auto entry = is_ignored_from_the_start.find(number);
+    const bool is_to_be_ignored =
+      entry != is_ignored_from_the_start.end() && entry->second;
+    std::memset(&action, 0, sizeof(action));
+    action.sa_handler = is_to_be_ignored ? SIG_IGN : handler;
+    action.sa_flags   = SA_RESTART;
+    ::sigaction(number, &action, nullptr);
+  }
+
+
+
+  void
+  StopSignals::begin_steps()
+  {
+    has_steps = 1;
   }
 
 
@@ -43,8 +112,29 @@ namespace Thalweg
   StopSignals::Wish
   StopSignals::wish(const MPI_Comm communicator)
   {
-    const unsigned int own = is_told_to_stop ? 2 : is_told_to_save ? 1 : 0;
+    // Stopping comes before saving: numbers of signals are above 1.
+    const unsigned int own = told_to_stop ? 1 + told_to_stop : is_told_to_save;
     is_told_to_save        = 0;
-    return static_cast<Wish>(dealii::Utilities::MPI::max(own, communicator));
+    const unsigned int all = dealii::Utilities::MPI::max(own, communicator);
+    signal                 = all > 1 ? all - 1 : 0;
+    return all > 1 ? Wish::stop : all == 1 ? Wish::checkpoint : Wish::nothing;
+  }
+
+
+
+  const char *
+  StopSignals::name() const
+  {
+    switch (signal)
+      {
+        case SIGINT:
+          return "SIGINT";
+        case SIGHUP:
+          return "SIGHUP";
+        case SIGUSR2:
+          return "SIGUSR2";
+        default:
+          return "SIGTERM";
+      }
   }
 } // namespace Thalweg

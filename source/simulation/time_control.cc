@@ -151,6 +151,10 @@ namespace Thalweg
                            const double   old_wanted,
                            const Viscous &viscous) const
   {
+    if (!std::isfinite(rate))
+      throw StepRefused("At t = " + std::to_string(time) +
+                        " s the velocity is no finite number: the solution "
+                        "has blown up.");
     if (fixed_step > 0.)
       return fixed_step;
     const double by_courant = courant_number / std::max(rate, 1e-300);
@@ -167,7 +171,8 @@ namespace Thalweg
                   ? "the cells are too small for this viscosity where it "
                     "is explicit."
                   : "the solution is probably blowing up.");
-    AssertThrow(dt >= minimum, dealii::ExcMessage(message.str()));
+    if (!(dt >= minimum))
+      throw StepRefused(message.str());
     return dt;
   }
 

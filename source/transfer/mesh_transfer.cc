@@ -106,20 +106,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  MeshTransfer<dim>::attach()
-  {
-    handle = mesh.triangulation().register_data_attach(
-      [this](const CellIterator &cell, const auto status) {
-        return pack_cell(cell, Compat::fate<dim>(status));
-      },
-      true);
-  }
-
-
-
-  template <int dim>
-  void
-  MeshTransfer<dim>::pack(const State<dim> &state, const bool remove_particles)
+  MeshTransfer<dim>::take(const State<dim> &state)
   {
     fields = state.fields();
     values.clear();
@@ -135,9 +122,21 @@ namespace Thalweg
                            field.n_components);
       }
     particles.save(population);
-    if (remove_particles)
-      population.handler().clear_particles();
-    attach();
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::pack(const State<dim> &state)
+  {
+    take(state);
+    population.handler().clear_particles();
+    handle = mesh.triangulation().register_data_attach(
+      [this](const CellIterator &cell, const auto status) {
+        return pack_cell(cell, Compat::fate<dim>(status));
+      },
+      true);
   }
 
 
@@ -160,15 +159,6 @@ namespace Thalweg
       if (field.name == name)
         return field;
     return {name, nullptr, nullptr, 0};
-  }
-
-
-
-  template <int dim>
-  void
-  MeshTransfer<dim>::prepare_loaded()
-  {
-    attach();
   }
 
 
@@ -287,23 +277,36 @@ namespace Thalweg
   void
   MeshTransfer<dim>::unpack_cell(const CellIterator    &cell,
                                  const Compat::CellFate fate,
-                                 const ByteRange       &bytes)
+                                 const char            *bytes,
+                                 const std::size_t      size)
   {
-    if (bytes.empty())
-      return;
-    PlainReader         reader(&*bytes.begin());
-    const char         *end = reader.place() + bytes.size();
-    std::vector<double> values;
+    PlainReader reader(bytes, size);
     for (unsigned int k = 0; k < fields.size(); ++k)
       {
-        values.resize(n_values[k]);
+        AssertThrow(n_values[k] <= reader.left() / sizeof(double),
+                    dealii::ExcMessage("its cells are cut short"));
+        std::vector<double> values(n_values[k]);
         for (double &value : values)
           reader.read(value);
         if (fields[k].vector != nullptr)
           unpack_field(fields[k], cell, fate, values);
       }
-    while (reader.place() < end)
+    while (reader.left() > 0)
       unpack_particle(read_particle<dim>(reader), cell, fate);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::begin_to_unpack(const State<dim> &state)
+  {
+    fields.clear();
+    for (const std::string &name : names)
+      fields.push_back(find(state, name));
+    received.assign(mesh.graph().n_owned_cells(), {});
+    for (const auto &field : state.fields())
+      field.vector->zero_out_ghost_values();
   }
 
 
@@ -312,19 +315,27 @@ namespace Thalweg
   void
   MeshTransfer<dim>::unpack(const State<dim> &state)
   {
-    fields.clear();
-    for (const std::string &name : names)
-      fields.push_back(find(state, name));
-    received.assign(mesh.graph().n_owned_cells(), {});
-    for (const auto &field : state.fields())
-      field.vector->zero_out_ghost_values();
-    mesh.triangulation().notify_ready_to_unpack(
-      handle,
-      [this](const CellIterator &cell,
-             const auto          status,
-             const ByteRange    &bytes) {
-        unpack_cell(cell, Compat::fate<dim>(status), bytes);
-      });
+    begin_to_unpack(state);
+    mesh.triangulation().notify_ready_to_unpack(handle,
+                                                [this](const CellIterator &cell,
+                                                       const auto       status,
+                                                       const ByteRange &bytes) {
+                                                  if (!bytes.empty())
+                                                    unpack_cell(
+                                                      cell,
+                                                      Compat::fate<dim>(status),
+                                                      &*bytes.begin(),
+                                                      bytes.size());
+                                                });
+    end_to_unpack(state);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::end_to_unpack(const State<dim> &state)
+  {
     for (const auto &field : state.fields())
       field.space->interpolate(*field.vector, field.n_components);
 

@@ -109,3 +109,18 @@ TEST(Archive, SaysWhatIsMissing)
             }).find("damaged"),
             std::string::npos);
 }
+
+
+
+TEST(Archive, RefusesWhatIsNestedTooDeep)
+{
+  // Lists of one list each, which reading would follow until the stack ends.
+  EXPECT_ANY_THROW(Archive::restore(std::string(1000000, '\x81')));
+  EXPECT_ANY_THROW(Archive::restore("\xa1\x61"
+                                    "a" +
+                                    std::string(1000000, '\xc1')));
+  // A list that says to have more entries than there are bytes.
+  EXPECT_ANY_THROW(Archive::restore(std::string("\xa1\x61"
+                                                "a\x9b\x7f\xff\xff\xff\xff") +
+                                    "\xff\xff\xff"));
+}

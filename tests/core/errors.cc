@@ -53,3 +53,26 @@ TEST(ErrorsMpi, GuardReturnsTheCode)
     dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
   EXPECT_EQ(output, is_root ? "Error: all fail\n" : "");
 }
+
+
+TEST(ErrorsMpi, AnyFailureReachesEveryProcess)
+{
+  const unsigned int rank =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int last =
+    dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) - 1;
+  try
+    {
+      on_all(MPI_COMM_WORLD, [&]() {
+        AssertThrow(rank != last, dealii::ExcMessage("disk of the last full"));
+      });
+      FAIL();
+    }
+  catch (const std::exception &error)
+    {
+      EXPECT_EQ(message_of(error), "disk of the last full");
+    }
+  int calls = 0;
+  on_all(MPI_COMM_WORLD, [&calls]() { ++calls; });
+  EXPECT_EQ(calls, 1);
+}

@@ -1,3 +1,4 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/core/growing_file.h>
 
 #include <filesystem>
@@ -21,6 +22,7 @@ namespace
     {
       fs::remove(path);
       fs::remove(path + ".old");
+      fs::remove(path + ".old.2");
     }
 
     const std::string path;
@@ -72,8 +74,44 @@ TEST(GrowingFile, BeginsAnewWhereItIsNotWhatItWas)
   message = file.reopen(place.path, "b\n", 6);
   EXPECT_NE(message.find("has other columns"), std::string::npos) << message;
   EXPECT_EQ(content(place.path), "b\n");
-  EXPECT_EQ(content(place.path + ".old"), "a\n2\n3\n");
+  EXPECT_EQ(content(place.path + ".old"), "a\n1\n");
+  EXPECT_EQ(content(place.path + ".old.2"), "a\n2\n3\n");
 
   EXPECT_ANY_THROW(file.reopen("/dev/null/file", "a\n", 2));
   EXPECT_ANY_THROW(file.create("/dev/full", "a\n"));
+}
+
+
+
+TEST(GrowingFile, DoesNotWriteIntoNowhere)
+{
+  const Place place("removed.csv");
+  GrowingFile file;
+  file.create(place.path, "a\n");
+  fs::remove(place.path);
+  try
+    {
+      file.append("1\n");
+      FAIL() << "The file is gone.";
+    }
+  catch (const std::exception &failure)
+    {
+      EXPECT_NE(Thalweg::message_of(failure).find(place.path),
+                std::string::npos);
+    }
+}
+
+
+
+TEST(GrowingFile, KeepsWhatTheRunDoesNotKnow)
+{
+  const Place place("unknown.csv");
+  GrowingFile file;
+  EXPECT_EQ(file.begin_anew(place.path, "a\n"), "");
+  file.append("1\n");
+  GrowingFile other;
+  EXPECT_NE(other.begin_anew(place.path, "a\n").find(place.path + ".old"),
+            std::string::npos);
+  EXPECT_EQ(content(place.path + ".old"), "a\n1\n");
+  EXPECT_EQ(content(place.path), "a\n");
 }

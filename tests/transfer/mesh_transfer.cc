@@ -1,3 +1,4 @@
+#include <thalweg/core/errors.h>
 #include <thalweg/fields/interpolation.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/transfer/mesh_transfer.h>
@@ -7,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "../support/dimensions.h"
-#include "../support/files.h"
 #include "../support/input.h"
 
 namespace
@@ -158,6 +158,18 @@ namespace
     mesh.create(parameters);
   }
 
+  template <int dim>
+  void
+  load(Mesh<dim> &mesh, const SavedCells &saved)
+  {
+    dealii::ParameterHandler prm;
+    MeshParameters<dim>      parameters;
+    parameters.declare(Section(prm));
+    prm.parse_input_from_string(unit_box<dim>(3, "0"));
+    mesh.create_to_load(parameters);
+    mesh.load(parameters, saved);
+  }
+
   template <typename Dimension>
   class MeshTransferMpi : public testing::Test
   {};
@@ -179,7 +191,7 @@ TYPED_TEST(MeshTransferMpi, NothingIsLostOnMeshesThatChange)
     {
       flag(mesh, round);
       MeshTransfer<dim> transfer(mesh, travellers.population);
-      transfer.pack(travellers.state(), true);
+      transfer.pack(travellers.state());
       mesh.triangulation().execute_coarsening_and_refinement();
       mesh.update();
       travellers.make_spaces();
@@ -194,31 +206,34 @@ TYPED_TEST(MeshTransferMpi, NothingIsLostOnMeshesThatChange)
 
 TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
 {
-  constexpr int     dim  = TypeParam::value;
-  const std::string file = own_path("mesh");
-  Mesh<dim>         mesh(MPI_COMM_WORLD);
+  constexpr int dim = TypeParam::value;
+  Mesh<dim>     mesh(MPI_COMM_WORLD);
   create(mesh, "if(x + y < 0.9, 1, 0)");
   flag(mesh, 1);
   mesh.triangulation().execute_coarsening_and_refinement();
   mesh.update();
   Travellers<dim> travellers(mesh);
   travellers.fill();
-  const Archive archive;
-  {
-    MeshTransfer<dim> transfer(mesh, travellers.population);
-    transfer.pack(travellers.state(), false);
-    transfer.keep(archive);
-    mesh.triangulation().save(file);
-  }
+  const std::vector<unsigned int> counts =
+    dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD,
+                                       mesh.graph().n_owned_cells());
+  MeshTransfer<dim> departure(mesh, travellers.population);
+  const PackedCells packed = departure.pack_to_save(travellers.state());
+  const Archive     archive;
+  departure.keep(archive);
+
+  SavedCells saved;
+  saved.n_ranks = saved.n_old_ranks = counts.size();
+  saved.first_of_rank               = {0};
+  for (const unsigned int n : counts)
+    saved.first_of_rank.push_back(saved.first_of_rank.back() + n);
+  saved.own = mesh.cells_on_curve();
   Mesh<dim> loaded(MPI_COMM_WORLD);
-  create(loaded, "0");
-  loaded.triangulation().load(file);
-  loaded.update();
+  load(loaded, saved);
   Travellers<dim>   arrivals(loaded);
   MeshTransfer<dim> transfer(loaded, arrivals.population);
   transfer.keep(archive.reader());
-  transfer.prepare_loaded();
-  transfer.unpack(arrivals.state());
+  transfer.unpack_saved(arrivals.state(), packed);
   arrivals.expect_filled(travellers.population.n_global_particles());
 
   // The numbering only depends on the mesh, not on its history.
@@ -248,4 +263,75 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
           ++particle;
         }
     }
+}
+
+
+
+TYPED_TEST(MeshTransferMpi, RefusesWhatCannotBe)
+{
+  constexpr int dim = TypeParam::value;
+  Mesh<dim>     mesh(MPI_COMM_WORLD);
+  create(mesh, "if(x + y < 0.9, 1, 0)");
+  SavedCells saved;
+  saved.place   = "there";
+  saved.n_ranks = saved.n_old_ranks = 1;
+  const auto refuse                 = [&](const std::vector<CurveCell> &cells) {
+    // On each process alone.
+    Mesh<dim> loaded(MPI_COMM_SELF);
+    saved.own           = cells;
+    saved.first_of_rank = {0, cells.size()};
+    try
+      {
+        load(loaded, saved);
+      }
+    catch (const dealii::ExcMessage &failure)
+      {
+        return message_of(failure);
+      }
+    return std::string();
+  };
+  Mesh<dim> whole(MPI_COMM_SELF);
+  create(whole, "if(x + y < 0.9, 1, 0)");
+  const auto good = whole.cells_on_curve();
+  EXPECT_EQ(refuse(good), "");
+
+  auto cells = good;
+  cells.pop_back();
+  EXPECT_NE(refuse(cells).find("do not cover"), std::string::npos);
+  cells = good;
+  std::swap(cells.front(), cells.back());
+  EXPECT_NE(refuse(cells).find("do not cover"), std::string::npos);
+  for (const CurveCell bad : {CurveCell{0, 4000000000u, 0},
+                              CurveCell{1ull << 40, 0, 1},
+                              CurveCell{0, 0, 60}})
+    {
+      cells.back() = bad;
+      EXPECT_NE(refuse(cells).find("cannot be"), std::string::npos);
+    }
+  // One corner much finer than its neighbours.
+  cells                        = {good.begin() + (1 << dim), good.end()};
+  const unsigned int     depth = 5;
+  std::vector<CurveCell> fine;
+  for (unsigned int level = depth; level > 0; --level)
+    for (std::uint64_t child = level == depth ? 0 : 1; child < (1u << dim);
+         ++child)
+      fine.push_back({child, 0, level});
+  cells.insert(cells.begin(), fine.begin(), fine.end());
+  EXPECT_EQ(refuse(cells), "");
+  cells = {good.begin() + (1 << dim), good.end()};
+  fine.clear();
+  // The other end of the first coarse cell touches its neighbours.
+  for (unsigned int level = 1; level <= depth; ++level)
+    {
+      const std::uint64_t last = (1ull << (dim * level)) - 1;
+      for (std::uint64_t child = 0; child + 1 < (1u << dim); ++child)
+        fine.push_back({last - (1u << dim) + 1 + child,
+                        0,
+                        static_cast<std::uint32_t>(level)});
+      if (level == depth)
+        fine.push_back({last, 0, depth});
+    }
+  cells.insert(cells.begin(), fine.begin(), fine.end());
+  EXPECT_NE(refuse(cells).find("more than one"), std::string::npos)
+    << refuse(cells);
 }

@@ -1,6 +1,9 @@
 #ifndef thalweg_core_bytes_h
 #define thalweg_core_bytes_h
 
+#include <deal.II/base/exceptions.h>
+
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -19,27 +22,32 @@ namespace Thalweg
   class PlainReader
   {
   public:
-    explicit PlainReader(const char *position)
-      : position(position)
+    PlainReader(const char *begin, const std::size_t size)
+      : position(begin)
+      , end(begin + size)
     {}
 
+    /// @throws dealii::ExcMessage if there is not so much left
     template <typename T>
     void
     read(T &value)
     {
+      AssertThrow(sizeof(T) <= left(),
+                  dealii::ExcMessage("its cells are cut short"));
       std::memcpy(&value, position, sizeof(T));
       position += sizeof(T);
     }
 
-    /// What comes next.
-    const char *
-    place() const
+    /// How many bytes come yet.
+    std::size_t
+    left() const
     {
-      return position;
+      return end - position;
     }
 
   private:
-    const char *position;
+    const char       *position;
+    const char *const end;
   };
 } // namespace Thalweg
 

@@ -2,11 +2,15 @@
 #define thalweg_core_context_h
 
 #include <thalweg/core/log.h>
+#include <thalweg/core/results.h>
+#include <thalweg/core/run_lock.h>
 #include <thalweg/core/statistics.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
+#include <iostream>
+#include <memory>
 #include <string>
 
 namespace Thalweg
@@ -34,6 +38,11 @@ namespace Thalweg
     Statistics          statistics;
     /// Where all files go; empty: no file is written.
     std::string output_directory;
+    /// Of the root process, if there are files: keeps the directory for this
+    /// run.
+    std::unique_ptr<RunLock> lock;
+    /// Of the root process: what was written there.
+    Results results;
     /// Whether this run goes on from a checkpoint: files in the directory are
     /// then kept, cut to what they were and continued. Set it before anything
     /// is opened.

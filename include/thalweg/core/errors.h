@@ -36,6 +36,15 @@ namespace Thalweg
    */
   void
   on_root(const MPI_Comm communicator, const std::function<void()> &work);
+
+  /**
+   * @brief Does @p work, in which processes do not wait for each other, on
+   * all of them, and lets all fail if one fails.
+   * @throws dealii::ExcMessage on every process, with the message of the first
+   *   that failed
+   */
+  void
+  on_all(const MPI_Comm communicator, const std::function<void()> &work);
 } // namespace Thalweg
 
 #endif

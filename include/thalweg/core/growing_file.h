@@ -1,8 +1,10 @@
 #ifndef thalweg_core_growing_file_h
 #define thalweg_core_growing_file_h
 
+#include <thalweg/core/descriptor.h>
+
 #include <cstdint>
-#include <fstream>
+#include <memory>
 #include <string>
 
 namespace Thalweg
@@ -26,8 +28,8 @@ namespace Thalweg
      * @brief Opens the file again and takes off all that stands behind
      * @p length bytes.
      *
-     * If it does not begin with @p header or is shorter, it gets the ending
-     * `.old`, and a new one is created.
+     * If it does not begin with @p header or is shorter, it is moved aside
+     * (see move_aside()), and a new one is created.
      * @return what the user is to be told; empty: all is as it was
      * @throws dealii::ExcMessage if it cannot be written
      */
@@ -36,14 +38,24 @@ namespace Thalweg
            const std::string  &header,
            const std::uint64_t length);
 
-    /// @throws dealii::ExcMessage if the disk is full
+    /**
+     * @brief Creates the file in a run that goes on and does not know it; one
+     * that is there is moved aside.
+     * @return what the user is to be told; empty: nothing was there
+     * @throws dealii::ExcMessage if it cannot be written
+     */
+    std::string
+    begin_anew(const std::string &path, const std::string &header);
+
+    /// All of @p text or nothing of it.
+    /// @throws dealii::ExcMessage if the disk is full or the file was removed
     void
     append(const std::string &text);
 
     bool
     is_open() const
     {
-      return file.is_open();
+      return file != nullptr;
     }
 
     /// In bytes.
@@ -54,9 +66,9 @@ namespace Thalweg
     }
 
   private:
-    std::string   path;
-    std::ofstream file;
-    std::uint64_t size = 0;
+    std::string                 path;
+    std::unique_ptr<Descriptor> file;
+    std::uint64_t               size = 0;
   };
 } // namespace Thalweg
 

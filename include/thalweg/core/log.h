@@ -2,7 +2,7 @@
 #define thalweg_core_log_h
 
 #include <fstream>
-#include <iostream>
+#include <iosfwd>
 #include <string>
 
 namespace Thalweg
@@ -10,6 +10,9 @@ namespace Thalweg
   /**
    * @brief What a run tells: on the terminal and in `log.txt`, by the root
    * process alone.
+   *
+   * A terminal that is gone or a disk that is full stops nothing: the other one
+   * is told, once, and both are tried again with each line.
    */
   class Log
   {
@@ -21,38 +24,26 @@ namespace Thalweg
 
     /// From now on writes to the file @p path too.
     /// @param append whether what stands there remains
+    /// @throws dealii::ExcMessage if it cannot be opened
     void
-    open(const std::string &path, const bool append = false)
-    {
-      if (active)
-        file.open(path, append ? std::ios::app : std::ios::trunc);
-    }
+    open(const std::string &path, const bool append = false);
 
     /// Writes a line.
     void
-    line(const std::string &text)
-    {
-      if (!active)
-        return;
-      std::cout << text << std::endl;
-      if (file.is_open())
-        file << text << std::endl;
-    }
+    line(const std::string &text);
 
     /// Writes a line that begins with "Warning: ", on the error stream.
     void
-    warning(const std::string &text)
-    {
-      if (!active)
-        return;
-      std::cerr << "Warning: " << text << std::endl;
-      if (file.is_open())
-        file << "Warning: " << text << std::endl;
-    }
+    warning(const std::string &text);
 
   private:
+    void
+    write(std::ostream &terminal, const std::string &text);
+
     bool          active;
+    std::string   path;
     std::ofstream file;
+    bool          has_complained = false;
   };
 } // namespace Thalweg
 

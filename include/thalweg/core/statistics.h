@@ -63,6 +63,11 @@ namespace Thalweg
       return columns;
     }
 
+    /// The name of a column whose value in the current row is no finite
+    /// number; empty: there is none.
+    std::string
+    column_without_number() const;
+
     /// Ends the row: writes it and starts the next.
     void
     end_row();

@@ -4,6 +4,7 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -43,6 +44,11 @@ namespace Thalweg
            const unsigned int    maximum,
            const std::string    &what)
   {
+    // An infinite tolerance would be met by anything.
+    if (!std::isfinite(tolerance))
+      throw SolverFailure("The linear solver for the " + what +
+                          " cannot begin: its right-hand side is no finite "
+                          "number.");
     dealii::SolverControl    control(maximum, tolerance);
     dealii::SolverCG<Vector> cg(control);
     try

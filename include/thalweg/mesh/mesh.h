@@ -42,10 +42,23 @@ namespace Thalweg
     void
     create(const MeshParameters<dim> &parameters);
 
-    /// Creates what `triangulation().load()` needs to read a mesh. Throws as
-    /// create() does.
+    /// Creates what load() needs. Throws as create() does.
     void
     create_to_load(const MeshParameters<dim> &parameters);
+
+    /**
+     * @brief Makes the mesh have the cells that were saved. Collective.
+     * @param parameters those of create_to_load()
+     * @param saved those of cells_on_curve() on all ranks, then
+     * @throws dealii::ExcMessage on all processes if they cannot be cells of
+     *   this mesh
+     */
+    void
+    load(const MeshParameters<dim> &parameters, const SavedCells &saved);
+
+    /// The cells of this rank, to be saved.
+    std::vector<CurveCell>
+    cells_on_curve() const;
 
     const Triangulation &
     triangulation() const

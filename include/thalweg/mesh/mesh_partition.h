@@ -2,16 +2,33 @@
 #define thalweg_mesh_mesh_partition_h
 
 #include <thalweg/core/registry.h>
+#include <thalweg/mesh/curve_cells.h>
 
 #include <deal.II/base/types.h>
 #include <deal.II/distributed/tria_base.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace Thalweg
 {
   template <int dim>
   class MeshPlan;
+
+  /// The cells of a mesh as a checkpoint has them.
+  struct SavedCells
+  {
+    /// The checkpoint, for messages.
+    std::string place;
+    /// On how many ranks they were, and on how many this is.
+    unsigned int n_old_ranks = 1, n_ranks = 1;
+    /// The number of each rank's first cell among all, and of all cells: on as
+    /// many ranks as they were, each gets those that it had.
+    std::vector<std::uint64_t> first_of_rank;
+    /// Those of this rank.
+    std::vector<CurveCell> own;
+  };
 
   /// The boundary id of those faces of ghost cells behind which there are
   /// cells that this rank does not know: the domain goes on there.
@@ -52,10 +69,20 @@ namespace Thalweg
     virtual std::unique_ptr<Triangulation>
     create(const MPI_Comm communicator, MeshPlan<dim> &plan) const = 0;
 
-    /// A mesh of @p plan into which `load()` reads what `save()` has written
-    /// of another one. Throws as create() does.
+    /// A mesh of @p plan for load(). Throws as create() does.
     virtual std::unique_ptr<Triangulation>
     create_to_load(const MPI_Comm communicator, MeshPlan<dim> &plan) const = 0;
+
+    /**
+     * @brief Gives @p mesh the cells that were saved, to the same ranks if
+     * there are as many as then.
+     * @param mesh from create_to_load()
+     * @param saved known to cover the mesh
+     * @throws dealii::ExcMessage on all processes if these cells or ranks
+     *   cannot be
+     */
+    virtual void
+    load(Triangulation &mesh, const SavedCells &saved) const = 0;
   };
 } // namespace Thalweg
 

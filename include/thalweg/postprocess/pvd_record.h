@@ -3,6 +3,7 @@
 
 #include <thalweg/core/archive.h>
 #include <thalweg/core/context.h>
+#include <thalweg/postprocess/file_series.h>
 
 #include <deal.II/base/data_out_base.h>
 
@@ -44,8 +45,8 @@ namespace Thalweg
 
     /**
      * @brief Keeps the list of files. When restoring, after open(), the
-     * record is written with these alone, and the files behind them will be
-     * written over; files that are gone are left out with a warning.
+     * record is written with these alone, and the files behind them are
+     * removed; files that are gone are left out with a warning.
      * Collective.
      * @param without_last whether the last file is not to be there when the
      *   run goes on
@@ -64,6 +65,7 @@ namespace Thalweg
 
     Context    *context = nullptr;
     std::string name;
+    FileSeries  series;
     /// Of all files, those too that are gone.
     unsigned int                                n_written = 0;
     std::vector<std::pair<double, std::string>> files;

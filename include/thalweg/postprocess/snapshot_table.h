@@ -3,6 +3,7 @@
 
 #include <thalweg/core/archive.h>
 #include <thalweg/core/context.h>
+#include <thalweg/postprocess/file_series.h>
 
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ namespace Thalweg
      * @throws dealii::ExcMessage on all processes if that fails
      */
     void
-    open(const Context                  &context,
+    open(Context                        &context,
          const std::string              &name,
          const std::vector<std::string> &columns);
 
@@ -41,8 +42,8 @@ namespace Thalweg
 
     /**
      * @brief Keeps how many files there are. When restoring, after open(),
-     * those behind them will be written over, and the last of them becomes
-     * the latest again. Collective.
+     * those behind them are removed, and the last of them becomes the latest
+     * again. Collective.
      * @param without_last whether the last file is not to be there when the
      *   run goes on
      * @throws dealii::ExcMessage on all processes if the disk is full
@@ -55,8 +56,11 @@ namespace Thalweg
     std::string
     path_of(const unsigned int number) const;
 
+    std::string
+    latest() const;
+
     const Context           *context = nullptr;
-    std::string              name;
+    FileSeries               series;
     std::vector<std::string> columns;
     unsigned int             n_written = 0;
   };

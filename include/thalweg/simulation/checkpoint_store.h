@@ -2,34 +2,30 @@
 #define thalweg_simulation_checkpoint_store_h
 
 #include <thalweg/core/context.h>
-#include <thalweg/simulation/settings.h>
+#include <thalweg/simulation/checkpoint_files.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
-  /// What is known of a checkpoint without reading all of it.
-  struct CheckpointOutline
+  /// All that a checkpoint holds, on each rank.
+  struct CheckpointContent
   {
-    std::string   directory;
-    unsigned int  step        = 0;
-    double        time        = 0; ///< s
-    std::uint64_t coarse_mesh = 0; ///< a number that other meshes do not have
-    /// How many cells each rank had.
-    std::vector<unsigned int> cells_of_ranks;
-    Settings                  settings;
+    std::string            values; ///< of the root process
+    std::vector<CurveCell> cells;  ///< of this rank
+    PackedCells            packed; ///< what they carry
   };
 
   /**
    * @brief The checkpoints in an output directory: `checkpoints/step_000120/`
-   * and so on, the last two of them.
+   * and so on, the last two of them. Whatever has other names there belongs to
+   * the user and is not touched.
    *
    * A checkpoint is written under another name and renamed when all of it is
-   * on the disk; its `manifest.json` has the length and the checksum of each
-   * file. So one that was cut short, or whose files were damaged, is never
-   * taken for whole.
+   * on the disk; its `manifest.json` has its own checksum and the length and
+   * the checksum of each file, as they were in memory. So one that was cut
+   * short, or whose files were damaged, is never taken for whole.
    */
   class CheckpointStore
   {
@@ -38,30 +34,20 @@ namespace Thalweg
     ///   outlive the store
     explicit CheckpointStore(Context &context);
 
-    /// Gives the checkpoints of an earlier run another name, so that this one,
-    /// which does not go on from them, is not taken for it. Collective.
-    void
-    set_aside();
-
     /// @throws dealii::ExcMessage if no run has written checkpoints into the
     ///   output directory @p directory
     static void
     expect_any(const std::string &directory);
 
-    /// Creates an empty directory for a checkpoint, which it returns; all
-    /// files of it go there. Collective.
-    /// @throws dealii::ExcMessage on all processes if that fails
-    std::string
-    begin(const unsigned int step);
-
     /**
-     * @brief Ends the checkpoint that begin() began: from now on it exists,
-     * and all but the last two are removed. Collective.
-     * @param outline but for its directory
-     * @throws dealii::ExcMessage on all processes if the disk is full
+     * @brief Writes a checkpoint. When that has succeeded, all but the last
+     * two are removed; before, none is. Collective.
+     * @param outline but for its directory and its files
+     * @return why it could not be written, the same on all processes; empty:
+     *   it is on the disk
      */
-    void
-    commit(const CheckpointOutline &outline);
+    std::string
+    write(CheckpointOutline outline, const CheckpointContent &content);
 
     /**
      * @brief The newest checkpoint that is whole; a warning says for each
@@ -72,9 +58,23 @@ namespace Thalweg
     find_newest();
 
   private:
+    /// Writes all files into @p directory. @throws dealii::ExcMessage on all
+    /// processes if that fails
+    void
+    write_files(const std::string       &directory,
+                CheckpointOutline       &outline,
+                const CheckpointContent &content) const;
+
+    /// Gives what was written its name and removes what is too old.
+    void
+    take_over(const std::string &directory, const unsigned int step) const;
+
+    /// What is wrong with a checkpoint. Collective.
+    std::string
+    fault_of(const std::string &directory, CheckpointOutline &outline) const;
+
     Context    &context;
     std::string root;
-    std::string unfinished;
   };
 } // namespace Thalweg
 

@@ -2,6 +2,7 @@
 #define thalweg_simulation_run_directory_h
 
 #include <thalweg/core/context.h>
+#include <thalweg/core/files.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -14,6 +15,9 @@ namespace Thalweg
    * for: `original.prm`, the input file as it was given, and
    * `parameters.prm`, all parameters with the values that are used.
    *
+   * The directory is this run's as long as @p context lives. Results of an
+   * earlier run, if this one does not go on from it, are moved aside.
+   *
    * From then on the log goes to `log.txt` there, and
    * Context::output_directory names the place. When the run is resumed,
    * `log.txt` is continued, and `original.prm` stays what the run was begun
@@ -24,26 +28,13 @@ namespace Thalweg
    * @param input_file a copy of it is made; empty: none
    * @param prm after reading
    * @throws dealii::ExcMessage on every process if something cannot be
-   *   written
+   *   written, or if another run has the directory
    */
   void
   prepare_run_directory(Context                        &context,
                         const std::string              &directory,
                         const std::string              &input_file,
                         const dealii::ParameterHandler &prm);
-
-  /**
-   * @brief Writes @p content to @p path so that the file is there completely
-   * or not at all, whatever happens meanwhile.
-   * @throws dealii::ExcMessage if it cannot be written
-   */
-  void
-  write_file(const std::string &path, const std::string &content);
-
-  /// The content of the file @p path.
-  /// @throws dealii::ExcMessage if it cannot be read
-  std::string
-  read_file(const std::string &path);
 } // namespace Thalweg
 
 #endif

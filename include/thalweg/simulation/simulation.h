@@ -36,7 +36,12 @@ namespace Thalweg
 
     /// From the start, or from the last checkpoint, to the end time or a
     /// signal to stop.
+    /// @param signals that are caught
     /// @return 0, or the number of the signal
+    int
+    run(StopSignals &signals);
+
+    /// The same, with signals caught meanwhile.
     int
     run();
 
@@ -72,13 +77,20 @@ namespace Thalweg
     void
     check(const CheckpointOutline &checkpoint) const;
 
-    /// Writes a checkpoint. Collective.
+    /// Whether what was read of @p checkpoint can be.
+    /// @throws dealii::ExcMessage if not
     void
+    check_numbers(const CheckpointOutline &checkpoint) const;
+
+    /// Writes a checkpoint; if that fails, warns. Collective.
+    /// @return whether there is one
+    bool
     save();
 
     /// Writes a checkpoint if it is time to. Collective.
     /// @param wish what a signal said
-    void
+    /// @return whether one is due and could not be written
+    bool
     save_if_due(const StopSignals::Wish wish);
 
     /// Names what the run must know to go on.
@@ -105,6 +117,31 @@ namespace Thalweg
     /// Saves the state and throws. @param reason of the last failure
     [[noreturn]] void
     give_up(const std::string &reason);
+
+    /// Saves the state and throws. @param reason why the run cannot go on from
+    ///   it, a sentence
+    [[noreturn]] void
+    stop_before_step(const std::string &reason);
+
+    /// Makes the step that is planned: adapts the mesh, advances, evaluates.
+    /// @return what signals said meanwhile
+    StopSignals::Wish
+    do_step(StopSignals &signals);
+
+    /// The state is what it was before the step, and the run ends, if anything
+    /// in it is no number.
+    /// @param row the statistics before the step
+    /// @throws dealii::ExcMessage on all processes
+    void
+    check_step(const Archive &row);
+
+    /// Says how the run ended.
+    int
+    finish(const StopSignals &signals, const bool is_saved);
+
+    /// @throws dealii::ExcMessage if the statistics have what is no number
+    void
+    check_statistics() const;
 
     /// All postprocessors look at the solution.
     void

@@ -6,10 +6,19 @@
 #include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/population_snapshot.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace Thalweg
 {
+  /// What cells carry, one behind the other, as files have it.
+  struct PackedCells
+  {
+    std::vector<std::uint32_t> sizes; ///< of each cell, in bytes
+    std::vector<char>          bytes;
+  };
+
   /**
    * @brief Carries fields and particles from one mesh to the next, to other
    * ranks, and into files: both travel attached to the cells.
@@ -28,30 +37,38 @@ namespace Thalweg
 
     /**
      * @brief Attaches @p state and the particles to the cells of the mesh,
-     * which then may change or be saved. Collective.
+     * which then may change; the population is empty until unpack().
+     * Collective.
      *
      * @param state the spaces of its fields must not go before the mesh has
      *   changed
-     * @param remove_particles whether to take the particles from the
-     *   population, as it must be when the mesh is going to change
      */
     void
-    pack(const State<dim> &state, const bool remove_particles);
+    pack(const State<dim> &state);
 
     /**
      * @brief Gives @p state and the population what belongs to the cells of
      * the new mesh. Collective.
      *
      * To be called when the mesh's graph and the spaces of @p state are those
-     * of the new mesh, after pack() and a change of the mesh, or after
-     * prepare_loaded().
+     * of the new mesh, after pack() and a change of the mesh.
      */
     void
     unpack(const State<dim> &state);
 
-    /// Prepares unpack() for a mesh that was loaded from a file. Collective.
+    /// What each cell of this rank carries, in the order of the mesh's graph,
+    /// to be saved. @param state as for pack()
+    PackedCells
+    pack_to_save(const State<dim> &state);
+
+    /**
+     * @brief Gives @p state and the population what pack_to_save() returned,
+     * after keep(). Collective.
+     * @param cells of this rank
+     * @throws dealii::ExcMessage if they do not hold what they must
+     */
     void
-    prepare_loaded();
+    unpack_saved(const State<dim> &state, const PackedCells &cells);
 
     /// Names which fields the cells carry, for the mesh that is loaded:
     /// those that nobody wants any more are passed over.
@@ -63,8 +80,17 @@ namespace Thalweg
     using Bytes        = std::vector<char>;
     using ByteRange    = boost::iterator_range<typename Bytes::const_iterator>;
 
+    /// Takes what is to be packed.
     void
-    attach();
+    take(const State<dim> &state);
+
+    /// Prepares the unpacking of cells.
+    void
+    begin_to_unpack(const State<dim> &state);
+
+    /// Makes fields and particles whole when all cells are unpacked.
+    void
+    end_to_unpack(const State<dim> &state);
 
     /// The field of @p state called @p name, with a space and a vector if it
     /// has one.
@@ -77,7 +103,13 @@ namespace Thalweg
     void
     unpack_cell(const CellIterator    &cell,
                 const Compat::CellFate fate,
-                const ByteRange       &bytes);
+                const char            *bytes,
+                const std::size_t      size);
+
+    /// Whether the particles that came are in their cells and carry numbers.
+    /// @throws dealii::ExcMessage if not
+    void
+    check_received() const;
 
     /// Sets the owned values of @p field in a cell of the graph.
     void

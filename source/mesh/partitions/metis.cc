@@ -1,4 +1,3 @@
-#include <thalweg/core/errors.h>
 #include <thalweg/mesh/mesh_plan.h>
 
 #include <deal.II/base/mpi.h>
@@ -7,157 +6,12 @@
 #include <deal.II/grid/tria_description.h>
 
 #include <algorithm>
-#include <boost/crc.hpp>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 namespace Thalweg
 {
   namespace
   {
-    /**
-     * @brief A mesh of which each rank knows its own cells and their
-     * neighbours, and which saves what is attached to its cells.
-     *
-     * The cells themselves are not saved but made anew: neither they nor their
-     * owners change during a run. In deal.II 9.4 its own `save()` refuses data
-     * whose size varies from cell to cell, and `load()` looks for the data of
-     * all ranks at the place of the first one's.
-     */
-    template <int dim>
-    class MetisTriangulation
-      : public dealii::parallel::fullydistributed::Triangulation<dim>
-    {
-    public:
-      using Base = dealii::parallel::fullydistributed::Triangulation<dim>;
-      using Base::Base;
-      using Base::load;
-
-      void
-      save(const std::string &filename) const override
-      {
-        std::ostringstream text;
-        text << n_ranks() << ' ' << distribution_checksum() << ' '
-             << this->cell_attached_data.pack_callbacks_fixed.size() << ' '
-             << this->cell_attached_data.pack_callbacks_variable.size() << '\n';
-        on_root(this->get_communicator(), [&]() {
-          std::ofstream file(filename + info_ending);
-          file << text.str() << std::flush;
-          AssertThrow(file,
-                      dealii::ExcMessage("'" + filename + info_ending +
-                                         "' cannot be written."));
-        });
-        this->save_attached_data(first_cell(),
-                                 this->n_global_active_cells(),
-                                 filename);
-      }
-
-
-      /// Loads what was attached to the cells of a mesh that was the same.
-      void
-      load(const std::string &filename) override
-      {
-        const Info info = read_info(filename);
-        expect_same_cells(info, filename);
-        this->cell_attached_data.n_attached_data_sets = 0;
-        this->cell_attached_data.n_attached_deserialize =
-          info.n_fixed + info.n_variable;
-        this->load_attached_data(first_cell(),
-                                 this->n_global_active_cells(),
-                                 this->n_locally_owned_active_cells(),
-                                 filename,
-                                 info.n_fixed,
-                                 info.n_variable);
-      }
-
-    private:
-      /// What save() notes of the mesh.
-      struct Info
-      {
-        unsigned int  n_ranks = 0;
-        std::uint64_t cells   = 0; ///< distribution_checksum()
-        /// How many data of fixed and of variable size a cell has.
-        unsigned int n_fixed = 0, n_variable = 0;
-      };
-
-      inline static const std::string info_ending = ".info";
-
-
-      Info
-      read_info(const std::string &filename) const
-      {
-        std::string text;
-        on_root(this->get_communicator(), [&]() {
-          std::ifstream file(filename + info_ending);
-          std::getline(file, text);
-        });
-        std::istringstream in(
-          dealii::Utilities::MPI::broadcast(this->get_communicator(), text, 0));
-        Info info;
-        in >> info.n_ranks >> info.cells >> info.n_fixed >> info.n_variable;
-        return info;
-      }
-
-
-      void
-      expect_same_cells(const Info &info, const std::string &filename) const
-      {
-        AssertThrow(info.n_ranks == n_ranks(),
-                    dealii::ExcMessage(
-                      "With 'Partition/Model = metis' a run goes on only on as "
-                      "many processes as before: '" +
-                      filename + "' was written by " +
-                      std::to_string(info.n_ranks) + ", and these are " +
-                      std::to_string(n_ranks()) + "."));
-        AssertThrow(info.cells == distribution_checksum(),
-                    dealii::ExcMessage(
-                      "The cells of this run, or the processes that have them, "
-                      "are not those of '" +
-                      filename +
-                      "'. With 'Partition/Model = metis' a run goes on only "
-                      "with the same 'Refinement', and with the same METIS."));
-      }
-
-
-      unsigned int
-      n_ranks() const
-      {
-        return dealii::Utilities::MPI::n_mpi_processes(
-          this->get_communicator());
-      }
-
-
-      /// The number of the first owned cell among those of all ranks.
-      unsigned int
-      first_cell() const
-      {
-        return this->global_active_cell_index_partitioner()
-          .lock()
-          ->local_range()
-          .first;
-      }
-
-
-      /// A number that tells which rank has which cells, and in which order.
-      std::uint64_t
-      distribution_checksum() const
-      {
-        boost::crc_32_type crc;
-        const auto         add = [&](const auto &value) {
-          crc.process_bytes(&value, sizeof(value));
-        };
-        add(this->locally_owned_subdomain());
-        for (const auto &cell : this->active_cell_iterators())
-          if (cell->is_locally_owned())
-            add(cell->id().template to_binary<dim>());
-        return dealii::Utilities::MPI::sum(std::uint64_t(crc.checksum()),
-                                           this->get_communicator());
-      }
-    };
-
-
-
     template <int dim>
     using Description = dealii::TriangulationDescription::Description<dim, dim>;
 
@@ -321,6 +175,31 @@ namespace Thalweg
         return create(communicator, plan);
       }
 
+
+      /// The cells were made anew: they must be those that were saved.
+      void
+      load(Triangulation &mesh, const SavedCells &saved) const override
+      {
+        AssertThrow(saved.n_old_ranks == saved.n_ranks,
+                    dealii::ExcMessage(
+                      "With 'Partition/Model = metis' a run goes on only on as "
+                      "many processes as before: '" +
+                      saved.place + "' was written by " +
+                      std::to_string(saved.n_old_ranks) + ", and these are " +
+                      std::to_string(saved.n_ranks) + "."));
+        CellGraph<dim> graph;
+        graph.build(mesh);
+        const unsigned int differ = curve_cells(graph) == saved.own ? 0 : 1;
+        AssertThrow(dealii::Utilities::MPI::max(differ,
+                                                mesh.get_communicator()) == 0,
+                    dealii::ExcMessage(
+                      "The cells of this run, or the processes that have them, "
+                      "are not those of '" +
+                      saved.place +
+                      "'. With 'Partition/Model = metis' a run goes on only "
+                      "with the same 'Refinement', and with the same METIS."));
+      }
+
     private:
       /// The cells that belong to this rank and their neighbours.
       static std::unique_ptr<Triangulation>
@@ -328,7 +207,8 @@ namespace Thalweg
               Whole<dim>          &whole,
               const MeshPlan<dim> &plan)
       {
-        auto part = std::make_unique<MetisTriangulation<dim>>(communicator);
+        auto part = std::make_unique<
+          dealii::parallel::fullydistributed::Triangulation<dim>>(communicator);
         for (const auto id : whole.tria.get_manifold_ids())
           if (id != dealii::numbers::flat_manifold_id)
             part->set_manifold(id, whole.tria.get_manifold(id));

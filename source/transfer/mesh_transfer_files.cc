@@ -1,0 +1,100 @@
+// What MeshTransfer packs for files and takes from them.
+#include <thalweg/core/registry.h>
+#include <thalweg/transfer/mesh_transfer.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Thalweg
+{
+  template <int dim>
+  PackedCells
+  MeshTransfer<dim>::pack_to_save(const State<dim> &state)
+  {
+    take(state);
+    PackedCells           cells;
+    const CellGraph<dim> &graph = mesh.graph();
+    cells.sizes.reserve(graph.n_owned_cells());
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const Bytes bytes =
+          pack_cell(graph.iterator(c), Compat::CellFate::persists);
+        cells.sizes.push_back(bytes.size());
+        cells.bytes.insert(cells.bytes.end(), bytes.begin(), bytes.end());
+      }
+    return cells;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::unpack_saved(const State<dim>  &state,
+                                  const PackedCells &cells)
+  {
+    begin_to_unpack(state);
+    const CellGraph<dim> &graph = mesh.graph();
+    AssertDimension(cells.sizes.size(), graph.n_owned_cells());
+    for (unsigned int k = 0; k < fields.size(); ++k)
+      AssertThrow(fields[k].vector == nullptr ||
+                    n_values[k] == fields[k].space->n_nodes_per_cell() *
+                                     fields[k].n_components,
+                  dealii::ExcMessage("its field '" + names[k] +
+                                     "' is of another kind"));
+    std::size_t place = 0;
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        AssertThrow(cells.sizes[c] <= cells.bytes.size() - place,
+                    dealii::ExcMessage("its cells are cut short"));
+        unpack_cell(graph.iterator(c),
+                    Compat::CellFate::persists,
+                    cells.bytes.data() + place,
+                    cells.sizes[c]);
+        place += cells.sizes[c];
+      }
+    check_received();
+    end_to_unpack(state);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshTransfer<dim>::check_received() const
+  {
+    const auto is_good = [](const ParticleRecord<dim> &particle,
+                            const dealii::Point<dim>  &first,
+                            const dealii::Point<dim>  &last) {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(std::abs(particle.reference[d] - .5) <= 1.))
+          return false;
+      return particle.position.distance(first) <= 10. * first.distance(last) &&
+             std::all_of(particle.properties.begin(),
+                         particle.properties.end(),
+                         [](const double value) {
+                           return std::isfinite(value);
+                         });
+    };
+    for (unsigned int c = 0; c < received.size(); ++c)
+      for (const auto &particle : received[c])
+        {
+          const auto &vertices = mesh.graph().cell(c).vertices;
+          AssertThrow(is_good(particle, vertices.front(), vertices.back()),
+                      dealii::ExcMessage("it has particles that cannot be "
+                                         "where it says."));
+        }
+  }
+
+
+
+  template PackedCells
+  MeshTransfer<2>::pack_to_save(const State<2> &);
+  template void
+  MeshTransfer<2>::unpack_saved(const State<2> &, const PackedCells &);
+  template PackedCells
+  MeshTransfer<3>::pack_to_save(const State<3> &);
+  template void
+  MeshTransfer<3>::unpack_saved(const State<3> &, const PackedCells &);
+} // namespace Thalweg

@@ -207,15 +207,27 @@ def mutated_json(value, chance):
                           [], {}, [1] * 1000, True, "\x1b[2J", 1.5])
 
 
+def signed(content):
+    """The text of a manifest with the checksum of its own that fits."""
+    if isinstance(content, dict):
+        content.pop("checksum", None)
+        text = json.dumps(content, separators=(",", ":"), sort_keys=True,
+                          ensure_ascii=False)
+        content["checksum"] = zlib.crc32(text.encode(errors="replace"))
+    return json.dumps(content)
+
+
 def mutate_manifest(checkpoint, chance):
-    """Changes the manifest; whether the data still have their checksums."""
+    """Changes the manifest, and often lets its checksum fit. Returns whether
+    that tells that it was changed."""
     path = checkpoint / "manifest.json"
     if chance.random() < .3:
         path.write_bytes(mutated(path.read_bytes(), chance))
-    else:
-        content = mutated_json(json.loads(path.read_text()), chance)
-        path.write_text(json.dumps(content))
-    return True
+        return True
+    content = mutated_json(json.loads(path.read_text()), chance)
+    is_signed = chance.random() < .5
+    path.write_text(signed(content) if is_signed else json.dumps(content))
+    return not is_signed
 
 
 def mutate_data(checkpoint, chance):
@@ -231,6 +243,6 @@ def mutate_data(checkpoint, chance):
     if isinstance(entry, dict) and chance.random() < .7:
         entry["size"] = path.stat().st_size
         entry["checksum"] = zlib.crc32(path.read_bytes())
-        manifest.write_text(json.dumps(content))
+        manifest.write_text(signed(content))
         return False
     return True

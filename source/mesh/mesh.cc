@@ -76,11 +76,6 @@ namespace Thalweg
   Mesh<dim>::load(const MeshParameters<dim> &parameters,
                   const SavedCells          &saved)
   {
-    const std::string fault =
-      fault_of<dim>(communicator, saved.own, tria->n_global_coarse_cells());
-    AssertThrow(fault.empty(),
-                dealii::ExcMessage("The checkpoint '" + saved.place +
-                                   "' cannot be used: " + fault + "."));
     parameters.partition->load(*tria, saved);
     update();
   }

@@ -28,7 +28,7 @@ namespace Thalweg
   CarriedDistance<dim>::CarriedDistance(const NodeSpace<dim> &space)
     : space(space)
   {
-    for (Vector *vector : {&distance, &rate, &is_known, &sum, &count})
+    for (Vector *vector : {&distance, &rate, &is_known, &sum, &slopes, &count})
       space.initialize_scalar(*vector);
   }
 
@@ -70,14 +70,20 @@ namespace Thalweg
   void
   CarriedDistance<dim>::take_means()
   {
+    // At a node that depends on others the cell speaks to those: of each as
+    // far away as that one is.
     space.fold(sum, 1);
+    space.fold(slopes, 1);
     space.fold(count, 1);
     rate.zero_out_ghost_values();
     is_known.zero_out_ghost_values();
     for (unsigned int n = 0; n < rate.locally_owned_size(); ++n)
       if (count.local_element(n) > 0 && is_known.local_element(n) == 0)
         {
-          rate.local_element(n) = sum.local_element(n) / count.local_element(n);
+          rate.local_element(n) =
+            (sum.local_element(n) +
+             slopes.local_element(n) * distance.local_element(n)) /
+            count.local_element(n);
           is_known.local_element(n) = 1.;
         }
     space.interpolate(rate, 1);
@@ -90,8 +96,9 @@ namespace Thalweg
   void
   CarriedDistance<dim>::start(const Vector &phi, const Vector &velocity)
   {
-    sum   = 0.;
-    count = 0.;
+    sum    = 0.;
+    slopes = 0.;
+    count  = 0.;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
         const auto &nodes  = space.nodes(c);
@@ -101,7 +108,7 @@ namespace Thalweg
         const double stretch = normal_stretch(c, phi, velocity);
         for (unsigned int v = 0; v < nodes.size(); ++v)
           {
-            sum.local_element(nodes[v]) += stretch * values[v];
+            slopes.local_element(nodes[v]) += stretch;
             count.local_element(nodes[v]) += 1.;
           }
       }
@@ -114,8 +121,9 @@ namespace Thalweg
   void
   CarriedDistance<dim>::extend(const Vector &phi, const Vector &velocity)
   {
-    sum   = 0.;
-    count = 0.;
+    sum    = 0.;
+    slopes = 0.;
+    count  = 0.;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
         const auto &nodes      = space.nodes(c);
@@ -136,8 +144,8 @@ namespace Thalweg
           if (is_known.local_element(nodes[v]) < almost_one)
             {
               sum.local_element(nodes[v]) +=
-                (mean_rate + stretch * (n_known * values[v] - mean_value)) /
-                n_known;
+                (mean_rate - stretch * mean_value) / n_known;
+              slopes.local_element(nodes[v]) += stretch;
               count.local_element(nodes[v]) += 1.;
             }
       }

@@ -10,7 +10,7 @@ namespace Thalweg
   {
     /// Where particles miss their plane by this part of their distance from
     /// the node, it and the plane of values that are cut off count alike.
-    constexpr double middle_misfit = .3;
+    constexpr double middle_misfit = .1;
 
     /// The square of a misfit that is nothing but round-off, in parts of the
     /// square of what is fitted.

@@ -200,7 +200,7 @@ TEST(Generator, ExplainsWhatIsWrong)
   // does not.
   const std::string message =
     Made<2>("generator", "Function = hyper_cube\nArguments = a : 1").error();
-  const auto reason = message.find("; it says:\n");
+  const auto reason = message.find("What went wrong:\n");
   ASSERT_NE(reason, std::string::npos) << message;
   EXPECT_TRUE(contains(message.substr(reason), "a : 1")) << message;
 

@@ -45,9 +45,6 @@ namespace Thalweg
     apply(Vector &level_set, const double dt) const;
 
   private:
-    /// Values of one cell: the level set and the rates at its nodes.
-    struct Values;
-
     /// The normal component of the strain rate in the middle of a cell, 1/s.
     double
     normal_stretch(const unsigned int cell,
@@ -70,7 +67,8 @@ namespace Thalweg
     Vector                distance; ///< copy of phi
     Vector                rate;     ///< r, m/s
     Vector                is_known; ///< 1 where the rate is known
-    Vector                sum, count;
+    /// What the cells around a node say of it: a + b phi, of so many cells.
+    Vector sum, slopes, count;
   };
 } // namespace Thalweg
 

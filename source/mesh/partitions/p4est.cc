@@ -126,8 +126,14 @@ namespace Thalweg
       load(Triangulation &mesh, const SavedCells &saved) const override
       {
         auto &forest = dynamic_cast<typename MeshPlan<dim>::Forest &>(mesh);
-        auto *made   = make_forest<dim>(*forest.get_p4est(), saved);
-        const auto n = made->global_num_quadrants;
+        const std::string fault = fault_of<dim>(forest.get_communicator(),
+                                                saved.own,
+                                                forest.n_global_coarse_cells());
+        AssertThrow(fault.empty(),
+                    dealii::ExcMessage("The checkpoint '" + saved.place +
+                                       "' cannot be used: " + fault + "."));
+        auto      *made = make_forest<dim>(*forest.get_p4est(), saved);
+        const auto n    = made->global_num_quadrants;
         Compat::balance(made);
         const bool fits = made->global_num_quadrants == n;
         // Siblings can vanish into their parent only where they are together;

@@ -57,41 +57,29 @@ namespace Thalweg
 
 
   template <int dim>
-  typename NodalMass<dim>::CellMatrix
-  NodalMass<dim>::mass_matrix(const unsigned int cell) const
-  {
-    const int cut_index = phase.cut_index(cell);
-    if (cut_index >= 0)
-      return phase.cut_cells()[cut_index].mass_matrix;
-    CellMatrix   matrix = table;
-    const double factor =
-      space.mesh().graph().cell(cell).measure * phase.fluid(cell).density;
-    for (auto &row : matrix)
-      for (double &entry : row)
-        entry *= factor;
-    return matrix;
-  }
-
-
-
-  template <int dim>
   void
   NodalMass<dim>::add_difference(const Vector &acceleration,
                                  Vector       &result) const
   {
-    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto      &nodes  = space.nodes(c);
-        const CellMatrix matrix = mass_matrix(c);
-        const auto       a      = gather_velocity<dim>(acceleration, nodes);
+        const auto &nodes     = space.nodes(c);
+        const auto  a         = gather_velocity<dim>(acceleration, nodes);
+        const int   cut_index = phase.cut_index(c);
+        const auto &matrix =
+          cut_index < 0 ? table : phase.cut_cells()[cut_index].mass_matrix;
+        const double factor =
+          cut_index < 0 ? graph.cell(c).measure * phase.fluid(c).density : 1.;
         for (unsigned int i = 0; i < n_vertices; ++i)
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              double sum = 0;
-              for (unsigned int j = 0; j < n_vertices; ++j)
-                sum += matrix[i][j] * (a[dim * i + d] - a[dim * j + d]);
-              result.local_element(dim * nodes[i] + d) += sum;
-            }
+          {
+            dealii::Tensor<1, dim> sum;
+            for (unsigned int j = 0; j < n_vertices; ++j)
+              for (unsigned int d = 0; d < dim; ++d)
+                sum[d] += matrix[i][j] * (a[dim * i + d] - a[dim * j + d]);
+            for (unsigned int d = 0; d < dim; ++d)
+              result.local_element(dim * nodes[i] + d) += factor * sum[d];
+          }
       }
   }
 

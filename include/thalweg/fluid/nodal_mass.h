@@ -89,10 +89,6 @@ namespace Thalweg
     void
     divide(Vector &vector) const;
 
-    /// int rho N_i N_j
-    CellMatrix
-    mass_matrix(const unsigned int cell) const;
-
     /// result += (M_L - M) acceleration, of this rank's cells; not folded.
     void
     add_difference(const Vector &acceleration, Vector &result) const;

@@ -94,57 +94,36 @@ namespace Thalweg
 
   template <int dim>
   void
-  CarriedDistance<dim>::start(const Vector &phi, const Vector &velocity)
+  CarriedDistance<dim>::spread(const Vector &phi,
+                               const Vector &velocity,
+                               const bool    from_cut_cells)
   {
     sum    = 0.;
     slopes = 0.;
     count  = 0.;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
-        const auto &nodes  = space.nodes(c);
-        const auto  values = gather<dim>(phi, nodes);
-        if (!is_cut(values))
-          continue;
-        const double stretch = normal_stretch(c, phi, velocity);
-        for (unsigned int v = 0; v < nodes.size(); ++v)
-          {
-            slopes.local_element(nodes[v]) += stretch;
-            count.local_element(nodes[v]) += 1.;
-          }
-      }
-    take_means();
-  }
-
-
-
-  template <int dim>
-  void
-  CarriedDistance<dim>::extend(const Vector &phi, const Vector &velocity)
-  {
-    sum    = 0.;
-    slopes = 0.;
-    count  = 0.;
-    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      {
-        const auto &nodes      = space.nodes(c);
-        const auto  values     = gather<dim>(phi, nodes);
-        double      n_known    = 0.;
-        double      mean_value = 0., mean_rate = 0.;
+        const auto &nodes   = space.nodes(c);
+        const auto  values  = gather<dim>(phi, nodes);
+        double      n_known = 0., sum_of_values = 0., sum_of_rates = 0.;
         for (unsigned int v = 0; v < nodes.size(); ++v)
           if (is_known.local_element(nodes[v]) >= almost_one)
             {
               n_known += 1.;
-              mean_value += values[v];
-              mean_rate += rate.local_element(nodes[v]);
+              sum_of_values += values[v];
+              sum_of_rates += rate.local_element(nodes[v]);
             }
-        if (n_known == 0. || n_known == nodes.size())
+        if (from_cut_cells ? !is_cut(values)
+                           : n_known == 0. || n_known == nodes.size())
           continue;
         const double stretch = normal_stretch(c, phi, velocity);
+        const double constant =
+          n_known > 0. ? (sum_of_rates - stretch * sum_of_values) / n_known
+                       : 0.;
         for (unsigned int v = 0; v < nodes.size(); ++v)
           if (is_known.local_element(nodes[v]) < almost_one)
             {
-              sum.local_element(nodes[v]) +=
-                (mean_rate - stretch * mean_value) / n_known;
+              sum.local_element(nodes[v]) += constant;
               slopes.local_element(nodes[v]) += stretch;
               count.local_element(nodes[v]) += 1.;
             }
@@ -162,8 +141,8 @@ namespace Thalweg
     space.interpolate(distance, 1);
     rate     = 0.;
     is_known = 0.;
-    start(phi, velocity);
-    extend(phi, velocity);
+    spread(phi, velocity, true);
+    spread(phi, velocity, false);
   }
 
 

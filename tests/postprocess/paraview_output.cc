@@ -42,7 +42,8 @@ namespace
           xi,
           1000 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p);
         auto inserted = handler.insert_particle(particle, cell);
-        inserted->set_properties(std::vector<double>(dim + 1, 0.5 * p));
+        inserted->set_properties(
+          std::vector<double>(Population<dim>::n_properties, 0.5 * p));
       }
     handler.update_cached_numbers();
     const auto fields    = state.run("fields");

@@ -51,13 +51,12 @@ namespace Thalweg
                    const Vector      &phi,
                    const Vector      &velocity) const;
 
-    /// Rates at nodes of cut cells.
+    /// Finds rates at the nodes of cut cells, or where there are none yet at
+    /// those of cells beside the nodes that have one.
     void
-    start(const Vector &phi, const Vector &velocity);
-
-    /// Rates at the other nodes of the cells around them.
-    void
-    extend(const Vector &phi, const Vector &velocity);
+    spread(const Vector &phi,
+           const Vector &velocity,
+           const bool    from_cut_cells);
 
     /// Turns the sums over cells into means where there are none yet.
     void

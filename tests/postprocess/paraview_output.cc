@@ -43,7 +43,7 @@ namespace
           1000 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p);
         auto inserted = handler.insert_particle(particle, cell);
         inserted->set_properties(
-          std::vector<double>(Population<dim>::n_properties, 0.5 * p));
+          std::vector<double>(Thalweg::Population<dim>::n_properties, 0.5 * p));
       }
     handler.update_cached_numbers();
     const auto fields    = state.run("fields");

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # shellcheck shell=bash disable=SC2034
 # Shared by the scripts in contrib/; to be sourced by bash, not to be run.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Headers that nearly every translation unit needs; compiled once.
 #include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>

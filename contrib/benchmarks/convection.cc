@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 /**
  * @file
  * Measures how many particle-substeps a second the streamline convection

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Reading the fields of a run and cutting out the water."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the plotting tools share: reading the tables and fields of a run."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Adaptive meshes against uniformly fine ones: errors, cells and wall time."""
 
 from thalweg import column, read_rows

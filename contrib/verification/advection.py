@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Interfaces in prescribed velocities against published errors."""
 
 from thalweg import REFERENCE, read_rows

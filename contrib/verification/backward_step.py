@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the flow attaches again behind a step, against Erturk (2008)."""
 
 from single_fluid import METHOD, SPACES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Rest stays rest, and uniform flow stays uniform, whatever the densities."""
 
 import math

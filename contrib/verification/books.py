@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Volumes: what is inside is what was there, came in and went out."""
 
 from thalweg import column, finished, read_rows

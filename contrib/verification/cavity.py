@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The lid-driven cavity against Ghia, Ghia and Shin (1982) and others."""
 
 from single_fluid import SPACES

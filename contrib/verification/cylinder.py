@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The cylinder in a channel against Schaefer and Turek (1996)."""
 
 from single_fluid import SPACES, TAYLOR_HOOD

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Flows with exact solutions: Poiseuille, Couette, Womersley, Kovasznay."""
 
 from math import pi

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Smooth pulses that move with the fluid keep their peak."""
 
 from single_fluid import METHOD, SPACES, last_error, steps

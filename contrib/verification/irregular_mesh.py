@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes of the unit box for Gmsh whose inner nodes are moved."""
 
 import itertools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A column of water onto a box in 3D against Kleefsman et al. (2005)."""
 
 from math import nan, sqrt

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tanks that are shaken, turned and spun against linear theory and exact
 surfaces; all seen from the tank."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """NACA 0012 at Re 10,000 and 4 degrees: means of lift, drag and pressure."""
 
 from single_fluid import SPACES

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The steady flow of two layers between plates."""
 
 from math import log, sqrt

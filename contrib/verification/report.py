@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Tables, plots and the limits that a result must keep."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Two inviscid shear layers: what energy and momentum are lost."""
 
 from single_fluid import METHOD, SPACES, boxes, errors, steps

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the parts for single-fluid flows have in common."""
 
 from thalweg import column, order, read_rows

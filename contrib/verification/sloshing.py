@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Standing waves: period and decay against linear theory."""
 
 from math import cos, pi, sin, sqrt, tanh

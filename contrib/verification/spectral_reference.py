@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Computes reference/taylor_green_3d.csv: the kinetic energy of the Taylor-Green
 vortices in 3D at Re = 100 by a Fourier-Galerkin method with the 3/2 rule's
 truncation (2/3 of the modes) and the classical Runge-Kutta scheme, viscosity

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Decaying vortices: orders in space and time, errors of large steps."""
 
 from math import pi

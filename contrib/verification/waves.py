@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A progressive wave: does it keep its energy, height and speed?"""
 
 import cmath

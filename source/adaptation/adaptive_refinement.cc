@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/adaptation/adaptive_refinement.h>
 #include <thalweg/adaptation/flag_setting.h>
 #include <thalweg/mesh/cell_count.h>

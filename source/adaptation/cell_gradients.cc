@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/adaptation/cell_gradients.h>
 #include <thalweg/fields/q1_cell.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/adaptation/flag_setting.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/adaptation/mesh_decision.h>
 
 #include <algorithm>

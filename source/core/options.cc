@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/options.h>
 #include <thalweg/core/spelling.h>
 

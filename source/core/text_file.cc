@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/plain_text.h>
 #include <thalweg/core/text_file.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/q1_simplices.h>
 

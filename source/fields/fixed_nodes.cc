@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/fixed_nodes.h>
 
 #include <deal.II/lac/vector.h>

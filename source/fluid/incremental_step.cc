@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The steps A to C of IncrementalStep; the fields of explicit forces are in
 // incremental_step_explicit.cc.
 #include <thalweg/core/registry.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The explicit fields of IncrementalStep; its steps are in incremental_step.cc.
 #include <thalweg/core/registry.h>
 #include <thalweg/fluid/incremental_step.h>

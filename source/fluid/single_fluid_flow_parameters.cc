@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fluid/single_fluid_flow_parameters.h>
 
 namespace Thalweg

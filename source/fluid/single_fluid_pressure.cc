@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The explicit pressures of SingleFluidFlow, and its state; its steps are in
 // single_fluid_flow.cc.
 #include <thalweg/fields/owned_values.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/compat.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fluid/wall_friction.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_simplices.h>
 #include <thalweg/interface/simplex_cut.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/linear_algebra/cell_matrices.h>
 
 #include <deal.II/lac/affine_constraints.h>

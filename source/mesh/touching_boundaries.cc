@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/boundary_name.h>
 #include <thalweg/mesh/cell_graph.h>
 #include <thalweg/mesh/touching_boundaries.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/methods/method.h>
 #include <thalweg/transfer/feet_in_place.h>
 

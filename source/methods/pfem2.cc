@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/methods/pfem2.h>
 
 #include <algorithm>

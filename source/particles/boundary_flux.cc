@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/boundary_flux.h>
 

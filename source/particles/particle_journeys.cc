@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/particles/journey.h>
 #include <thalweg/particles/particle_journeys.h>
 #include <thalweg/particles/particle_storage.h>

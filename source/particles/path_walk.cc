@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The walk through unsteady fields; apart from the steady one, so that the
 // compiler's choices there do not depend on this.
 #include <thalweg/particles/path_field.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
 #include <thalweg/particles/cell_maps.h>
 #include <thalweg/particles/steady_field.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/postprocess/averaging_window.h>
 #include <thalweg/postprocess/csv_file.h>
 #include <thalweg/postprocess/postprocessor.h>

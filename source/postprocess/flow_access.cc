@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/compat.h>
 #include <thalweg/postprocess/cell_access.h>
 #include <thalweg/postprocess/flow_access.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/particles/data_out.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/simulation/missing_fluid.h>
 

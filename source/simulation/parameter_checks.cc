@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What is wrong with parameters before a run.
 #include <thalweg/core/errors.h>
 #include <thalweg/fields/expression.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
 #include <thalweg/core/parameter_file.h>
 #include <thalweg/core/reference.h>

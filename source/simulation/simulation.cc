@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
 #include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/finite_state.h>

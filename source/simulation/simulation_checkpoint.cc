@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What Simulation writes into checkpoints and reads from them.
 #include <thalweg/core/errors.h>
 #include <thalweg/core/files.h>

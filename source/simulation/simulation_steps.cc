@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The steps of a run, and how they end.
 #include <thalweg/core/errors.h>
 #include <thalweg/linear_algebra/krylov.h>

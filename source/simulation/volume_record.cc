@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What Simulation writes of the fluids' volumes.
 #include <thalweg/simulation/simulation.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What MeshTransfer packs for files and takes from them.
 #include <thalweg/core/registry.h>
 #include <thalweg/transfer/mesh_transfer.h>

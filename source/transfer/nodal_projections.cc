@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Projections that find each node's velocity from the particles around it.
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/plane_fit.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/lagrange_shape.h>
 #include <thalweg/transfer/velocity_projection.h>
 

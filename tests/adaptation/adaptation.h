@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_adaptation_adaptation_h
 #define tests_adaptation_adaptation_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/boundary_extension.h>
 
 #include "support/dimensions.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/numerical_derivative.h>
 
 #include <cmath>

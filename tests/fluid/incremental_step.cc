@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "step_scene.h"
 #include "support/dimensions.h"
 #include "support/meshes.h"

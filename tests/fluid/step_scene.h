@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_fluid_step_scene_h
 #define tests_fluid_step_scene_h
 

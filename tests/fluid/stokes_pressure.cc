@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fluid/stokes_pressure.h>
 
 #include "step_scene.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_interface_cut_cells_h
 #define tests_interface_cut_cells_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/interface/redistance.h>
 
 #include <deal.II/base/parameter_handler.h>

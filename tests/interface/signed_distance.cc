@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/expression.h>
 #include <thalweg/interface/signed_distance.h>
 

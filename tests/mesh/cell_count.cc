@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/cell_count.h>
 
 #include <deal.II/base/function_lib.h>

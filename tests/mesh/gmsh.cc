@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/geometries/gmsh.h>
 #include <thalweg/mesh/mesh_plan.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_mesh_made_geometry_h
 #define tests_mesh_made_geometry_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/geometries/mesh_outline.h>
 #include <thalweg/mesh/geometries/overlap.h>
 #include <thalweg/mesh/touching_boundaries.h>

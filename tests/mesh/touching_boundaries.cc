@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/touching_boundaries.h>
 
 #include <deal.II/grid/grid_generator.h>

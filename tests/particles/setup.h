@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_tests_particles_setup_h
 #define thalweg_tests_particles_setup_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/postprocess/surface.h>
 
 #include "own_flow.h"

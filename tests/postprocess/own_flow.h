@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_postprocess_own_flow_h
 #define tests_postprocess_own_flow_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/postprocess/surface_chain.h>
 #include <thalweg/postprocess/surface_samples.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that others disturb: by signals, kills, full disks, and more."""
 
 import os

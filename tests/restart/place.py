@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of one case in a directory of their own, and what they must leave."""
 
 import csv

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_simulation_run_case_h
 #define tests_simulation_run_case_h
 

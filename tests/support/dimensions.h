@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_support_dimensions_h
 #define tests_support_dimensions_h
 

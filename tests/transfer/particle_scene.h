@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef tests_transfer_particle_scene_h
 #define tests_transfer_particle_scene_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_adaptation_flag_setting_h
 #define thalweg_adaptation_flag_setting_h
 

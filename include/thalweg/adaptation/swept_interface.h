@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_adaptation_swept_interface_h
 #define thalweg_adaptation_swept_interface_h
 

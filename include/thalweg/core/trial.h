@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_core_trial_h
 #define thalweg_core_trial_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_fields_boundary_nodes_h
 #define thalweg_fields_boundary_nodes_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_fields_lagrange_space_h
 #define thalweg_fields_lagrange_space_h
 

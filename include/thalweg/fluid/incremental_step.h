@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_fluid_incremental_step_h
 #define thalweg_fluid_incremental_step_h
 

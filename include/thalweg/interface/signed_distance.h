@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_interface_signed_distance_h
 #define thalweg_interface_signed_distance_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_linear_algebra_cell_matrices_h
 #define thalweg_linear_algebra_cell_matrices_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_materials_fluids_h
 #define thalweg_materials_fluids_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_mesh_touching_boundaries_h
 #define thalweg_mesh_touching_boundaries_h
 

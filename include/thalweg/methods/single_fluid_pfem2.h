@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_methods_single_fluid_pfem2_h
 #define thalweg_methods_single_fluid_pfem2_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_particles_population_h
 #define thalweg_particles_population_h
 

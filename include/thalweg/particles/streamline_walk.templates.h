@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The definitions of StreamlineWalk's functions, for the files that
 // instantiate it.
 #ifndef thalweg_particles_streamline_walk_templates_h

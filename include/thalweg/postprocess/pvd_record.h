@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_postprocess_pvd_record_h
 #define thalweg_postprocess_pvd_record_h
 

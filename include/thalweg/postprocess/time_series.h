@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_postprocess_time_series_h
 #define thalweg_postprocess_time_series_h
 

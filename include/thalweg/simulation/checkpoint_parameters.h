@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_simulation_checkpoint_parameters_h
 #define thalweg_simulation_checkpoint_parameters_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_simulation_stop_signals_h
 #define thalweg_simulation_stop_signals_h
 

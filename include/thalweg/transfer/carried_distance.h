@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #ifndef thalweg_transfer_carried_distance_h
 #define thalweg_transfer_carried_distance_h
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/mesh/geometries/blocks.h>
 #include <thalweg/mesh/geometries/naca.h>
 #include <thalweg/mesh/geometries/tools.h>

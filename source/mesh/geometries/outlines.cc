@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What files in other formats than that of Gmsh say.
 #include <thalweg/core/plain_text.h>
 #include <thalweg/mesh/geometries/mesh_outline.h>

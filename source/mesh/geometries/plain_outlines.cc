@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What files say in formats that know no boundaries.
 #include <thalweg/mesh/geometries/mesh_outline.h>
 

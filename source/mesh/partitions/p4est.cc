@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/compat_forest.h>
 #include <thalweg/mesh/mesh_plan.h>
 

@@ -102,7 +102,8 @@ def rest(runner, report, reduced):
         name = f"rest, {mesh}, " + (f"{angle} degrees" if dim == 2 else angle)
         name += ", no slip" if walls else ""
         output = runner.run(
-            "hydrostatic_two_fluids" + ("" if dim == 2 else "_3d"),
+            "hydrostatic_two_fluids" if dim == 2
+            else "hydrostatic_two_fluids_3d",
             name.replace(", ", "_").replace(" ", "_"),
             dict(rest_case(runner, mesh, normal, steps), **walls))
         largest = deviation(output, 0.)

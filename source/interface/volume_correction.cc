@@ -70,8 +70,10 @@ namespace Thalweg
     dealii::Utilities::MPI::sum(sums,
                                 space.mesh().triangulation().get_communicator(),
                                 sums);
-    targets.assign(sums.begin(), sums.begin() + n);
-    sprays.assign(sums.begin() + n, sums.begin() + 2 * n);
+    // What the mesh shows nowhere is on its way to the nearest body.
+    targets.resize(n);
+    for (unsigned int b = 0; b < n; ++b)
+      targets[b] = sums[b] + sums[n + b];
     debts = {{sums[2 * n], sums[2 * n + 1]}};
   }
 
@@ -176,9 +178,8 @@ namespace Thalweg
       if (pockets ? is_pocket[b] : bodies.fluid(b) == 0)
         {
           Goal goal;
-          goal.body = b;
-          // What the mesh shows nowhere is on its way to the nearest body.
-          goal.target = targets[b] + sprays[b];
+          goal.body   = b;
+          goal.target = targets[b];
           goals.push_back(goal);
         }
     return goals;

@@ -165,15 +165,16 @@ namespace Thalweg
   {
     // New particles take the level set without the shift, as the others
     // carry it: else the shifts of all steps would add up in them.
-    Vector distances(level_set);
-    if (parts->phase.is_distance() && parts->projection.takes_distances())
+    if (!parts->phase.is_distance() || !parts->projection.takes_distances())
       {
-        dealii::TimerOutput::Scope scope(parts->context.timers, "interface");
-        carried_distance->find_rates(parts->phase.level_set(),
-                                     convecting_velocity);
-        carried_distance->apply(parts->population, dt);
-        carried_distance->apply(distances, dt);
+        parts->space.copy_to_cells(level_set, cell_level_set);
+        return;
       }
+    dealii::TimerOutput::Scope scope(parts->context.timers, "interface");
+    carried_distance->find_rates(parts->phase.level_set(), convecting_velocity);
+    carried_distance->apply(parts->population, dt);
+    Vector distances(level_set);
+    carried_distance->apply(distances, dt);
     parts->space.copy_to_cells(distances, cell_level_set);
   }
 

@@ -118,8 +118,7 @@ namespace Thalweg
     const NodeSpace<dim>       &space;
     const BoundaryNodes<dim>   &boundary;
     double                      tolerance = 0; ///< m^dim
-    std::vector<double>         sprays;        ///< nearest to each body, m^dim
-    std::vector<double>         targets;       ///< of all bodies
+    std::vector<double>         targets;       ///< of all bodies, with spray
     std::vector<bool>           is_pocket;
     std::vector<int>            body_of_node;
     std::vector<double>         shifts; ///< of all bodies

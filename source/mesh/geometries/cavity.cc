@@ -47,10 +47,7 @@ namespace Thalweg
       double
       n_cells() const override
       {
-        double n = 1.;
-        for (const double repetition : repetitions)
-          n *= repetition;
-        return n;
+        return Geometries::n_cells(repetitions);
       }
 
 

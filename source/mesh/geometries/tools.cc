@@ -46,6 +46,16 @@ namespace Thalweg
     }
 
 
+    double
+    n_cells(const std::vector<unsigned int> &repetitions)
+    {
+      double n = 1.;
+      for (const double repetition : repetitions)
+        n *= repetition;
+      return n;
+    }
+
+
     template <int dim>
     void
     color_box(dealii::Triangulation<dim> &triangulation,
@@ -234,19 +244,6 @@ namespace Thalweg
                                      "not be; refine in 'Refinement'."));
       check_cells(source, what);
       target.copy_triangulation(source);
-    }
-
-
-    std::string
-    reason(const std::exception &exception)
-    {
-      const auto *const detailed =
-        dynamic_cast<const dealii::ExceptionBase *>(&exception);
-      if (detailed == nullptr)
-        return exception.what();
-      std::ostringstream text;
-      detailed->print_info(text);
-      return text.str();
     }
 
 

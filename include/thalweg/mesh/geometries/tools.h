@@ -6,7 +6,6 @@
 #include <deal.II/base/types.h>
 #include <deal.II/grid/tria.h>
 
-#include <exception>
 #include <map>
 #include <string>
 #include <vector>
@@ -29,6 +28,11 @@ namespace Thalweg
     check_corners(const dealii::Point<dim> &lower,
                   const dealii::Point<dim> &upper,
                   const std::string        &what);
+
+    /// The number of cells of a box that is divided into so many in each
+    /// direction.
+    double
+    n_cells(const std::vector<unsigned int> &repetitions);
 
     /**
      * @brief Numbers the boundary faces: those on a side of the box from
@@ -104,10 +108,6 @@ namespace Thalweg
     /// quadrilaterals nor hexahedra.
     [[noreturn]] void
     refuse_shapes(const std::string &what, const unsigned int dim);
-
-    /// What deal.II says in @p exception, without the place in its sources.
-    std::string
-    reason(const std::exception &exception);
   } // namespace Geometries
 } // namespace Thalweg
 

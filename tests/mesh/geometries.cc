@@ -337,14 +337,7 @@ TEST(Division, DividesWedgesAndRefusesPyramids)
   EXPECT_NEAR(dealii::GridTools::volume(cubes), .5, 1e-12);
 
   make_cell(pyramid, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {.5, .5, 1}});
-  std::string message;
-  try
-    {
-      Geometries::divide_into_cubes(pyramid, cubes, "A pyramid");
-    }
-  catch (const std::exception &exception)
-    {
-      message = Geometries::reason(exception);
-    }
+  const std::string message = complaint_of(
+    [&]() { Geometries::divide_into_cubes(pyramid, cubes, "A pyramid"); });
   EXPECT_TRUE(contains(message, "has pyramids")) << message;
 }

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/complaint.h"
+
 /// The geometry @p model with parameters set from "name = value" lines.
 template <int dim>
 struct Made
@@ -37,15 +39,7 @@ struct Made
   std::string
   error()
   {
-    try
-      {
-        create();
-      }
-    catch (const std::exception &exception)
-      {
-        return Thalweg::Geometries::reason(exception);
-      }
-    return "";
+    return complaint_of([this]() { create(); });
   }
 
   double

@@ -91,11 +91,15 @@ build() {
     fail "building failed; the lines above say why."
 }
 
+# The cores this process may use. nproc alone takes the threads that a user
+# allows OpenMP for cores.
+n_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
+
 # As many compilers at once as there are cores, and at most one for each
 # 1.5 GB of memory.
 build_jobs() {
   local cores memory
-  cores=$(nproc)
+  cores=$(n_cores)
   memory=$(awk '/MemAvailable/ {print int($2 / 1500000)}' /proc/meminfo)
   [ "$memory" -ge 1 ] || memory=1
   echo $((cores < memory ? cores : memory))

@@ -24,8 +24,11 @@ namespace Thalweg
         std::vector<std::string>                 names(dim, "velocity");
         std::vector<DataComponentInterpretation> interpretations(
           dim, component_is_part_of_vector);
-        names.push_back("level_set");
-        interpretations.push_back(component_is_scalar);
+        for (const char *name : {"level_set", "volume"})
+          {
+            names.push_back(name);
+            interpretations.push_back(component_is_scalar);
+          }
 
         dealii::Particles::DataOut<dim> data;
         data.build_patches(solution.population.handler(),
@@ -39,6 +42,6 @@ namespace Thalweg
   THALWEG_REGISTER(Postprocessor,
                    ParticleOutput,
                    "particles",
-                   "the particles with number, velocity and level set, for "
-                   "ParaView; writes particles.pvd.")
+                   "the particles with number, velocity, level set and volume, "
+                   "for ParaView; writes particles.pvd.")
 } // namespace Thalweg

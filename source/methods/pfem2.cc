@@ -181,6 +181,58 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  Pfem2<dim>::time_of_particles(const double time, const double dt) const
+  {
+    // The first half of the acceleration is theirs before they move.
+    return time_integration == "trapezoidal" ? time + .5 * dt : flow_time;
+  }
+
+
+
+  template <int dim>
+  ConvectionReport
+  Pfem2<dim>::move_particles(const double time, const double dt)
+  {
+    ConvectionReport report =
+      parts->convection.move(parts->population, cell_velocity, dt);
+    if (parts->dispersed == nullptr)
+      return report;
+    parts->forces.set_time(time + .5 * dt);
+    std::vector<NewParticle<dim>> landed;
+    report.add(
+      parts->dispersed->move(cell_level_set,
+                             cell_velocity,
+                             dispersed_motion(parts->forces, parts->fluids),
+                             dt,
+                             time_of_particles(time, dt) - time,
+                             landed));
+    report.add(
+      parts->convection.insert(parts->population, landed, cell_velocity));
+    return report;
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::disperse(const double time, const double dt)
+  {
+    if (parts->dispersed == nullptr)
+      return;
+    dealii::TimerOutput::Scope scope(parts->context.timers, "population");
+    const double               end = time + dt;
+    parts->forces.set_time(end);
+    parts->space.copy_to_cells(level_set, cell_level_set);
+    parts->dispersed->exchange(parts->population,
+                               cell_level_set,
+                               dispersed_motion(parts->forces, parts->fluids),
+                               time_of_particles(time, dt) - end);
+  }
+
+
+
+  template <int dim>
   void
   Pfem2<dim>::project_particles()
   {
@@ -289,7 +341,8 @@ namespace Thalweg
            phase,
            flow,
            paths,
-           exchange] = *parts;
+           exchange,
+           dispersed] = *parts;
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
@@ -299,7 +352,7 @@ namespace Thalweg
     project_before_convection();
     {
       dealii::TimerOutput::Scope scope(context.timers, "convection");
-      report = convection.move(population, cell_velocity, dt); // (87a)
+      report = move_particles(time, dt); // (87a)
     }
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
@@ -312,6 +365,7 @@ namespace Thalweg
       dealii::TimerOutput::Scope scope(context.timers, "projection");
       project_particles(); // (69)
     }
+    disperse(time, dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
       phase.rebuild(level_set);
@@ -324,6 +378,8 @@ namespace Thalweg
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_removed = control.limit(population);
+      if (dispersed != nullptr)
+        dispersed->limit(control);
     }
     record_particles(*parts, report, n_added, n_removed);
   }

@@ -202,6 +202,22 @@ namespace Thalweg
 
   template <int dim>
   void
+  BoundaryExchange<dim>::let_out_dispersed(const std::vector<Exit> &exits,
+                                           VolumeBooks             &counted)
+  {
+    for (const Exit &exit : exits)
+      {
+        const unsigned int i = accounts.index(exit.cell, exit.face);
+        auto &passage = counted.boundaries[boundary.passable_faces()[i].id];
+        passage.out[exit.fluid] += exit.volume;
+        passage.in[1 - exit.fluid] += exit.volume;
+        accounts[i].waiting[1 - exit.fluid] += exit.volume;
+      }
+  }
+
+
+  template <int dim>
+  void
   BoundaryExchange<dim>::fill_particles(
     const unsigned int             number,
     const unsigned int             fluid,
@@ -277,6 +293,7 @@ namespace Thalweg
 
     const auto fluxes = find_fluxes(space, boundary, inflow, velocity, dt);
     let_out(population, fluxes, report, counted);
+    let_out_dispersed(report.dispersed_exits, counted);
     std::vector<NewParticle<dim>> particles;
     for (unsigned int i = 0; i < faces.size(); ++i)
       for (unsigned int f = 0; f < 2; ++f)

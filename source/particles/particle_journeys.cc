@@ -103,6 +103,26 @@ namespace Thalweg
           }
     }
 
+    /// Makes a drop or a bubble of a traveller.
+    template <int dim>
+    void
+    launch(const DispersedField<dim>                   &field,
+           const dealii::Point<dim>                    &place,
+           ParticleTraveller<dim, DispersedField<dim>> &traveller)
+    {
+      std::array<double, dim> velocity;
+      std::copy_n(traveller.luggage.properties.begin() +
+                    Population<dim>::velocity_offset,
+                  dim,
+                  velocity.begin());
+      field.launch(
+        traveller.walker,
+        place,
+        Population<dim>::fluid_of(traveller.luggage.properties),
+        velocity,
+        traveller.luggage.properties[Population<dim>::volume_offset]);
+    }
+
     /// Copies all particles out of the population, and lets each walk as far
     /// as this rank reaches.
     template <int dim, typename Field>
@@ -131,6 +151,8 @@ namespace Thalweg
             std::copy(properties.begin(),
                       properties.end(),
                       traveller.luggage.properties.begin());
+            if constexpr (Field::disperses)
+              launch(walk.field(), particle.get_location(), traveller);
             walk.walk(traveller.walker, effort);
             travellers.push_back(traveller);
           }
@@ -183,6 +205,30 @@ namespace Thalweg
       population.handler().update_cached_numbers();
       return arrived.travellers.size();
     }
+    /// Lets all particles travel, and returns all travellers that ended on
+    /// this rank.
+    template <int dim, typename Field>
+    std::vector<ParticleTraveller<dim, Field>>
+    travel(Population<dim>                  &population,
+           const StreamlineWalk<dim, Field> &walk,
+           const double                      dt,
+           ConvectionReport                 &report)
+    {
+      Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
+      WalkEffort effort;
+      auto       travellers = depart(population, walk, dt, effort);
+      walk_on_other_ranks(walk,
+                          population.mesh().triangulation().get_communicator(),
+                          travellers,
+                          effort);
+      const std::size_t n_stored = arrive(population, walk, travellers);
+      report.n_moved             = travellers.size();
+      report.n_substeps          = effort.n_substeps;
+      report.n_cells_crossed     = effort.n_cells_crossed;
+      if (n_stored < travellers.size())
+        count_missing<dim>(walk.graph(), travellers, report);
+      return travellers;
+    }
   } // namespace
 
 
@@ -215,22 +261,37 @@ namespace Thalweg
              const StreamlineWalk<dim, Field> &walk,
              const double                      dt)
   {
-    Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
-    WalkEffort effort;
-    auto       travellers = depart(population, walk, dt, effort);
-    walk_on_other_ranks(walk,
-                        population.mesh().triangulation().get_communicator(),
-                        travellers,
-                        effort);
-    const std::size_t n_stored = arrive(population, walk, travellers);
-
     ConvectionReport report;
-    report.n_moved         = travellers.size();
-    report.n_substeps      = effort.n_substeps;
-    report.n_cells_crossed = effort.n_cells_crossed;
-    if (n_stored < travellers.size())
-      count_missing<dim>(walk.graph(), travellers, report);
+    travel(population, walk, dt, report);
     return report;
+  }
+
+
+  template <int dim>
+  Dispersal<dim>
+  disperse_along(Population<dim>                                &population,
+                 const StreamlineWalk<dim, DispersedField<dim>> &walk,
+                 const double                                    dt)
+  {
+    Dispersal<dim> dispersal;
+    for (const auto &[walker, particle] :
+         travel(population, walk, dt, dispersal.report))
+      if (walker.fate == Fate::landed)
+        {
+          NewParticle<dim> landed{walker.cell,
+                                  {},
+                                  walker.time,
+                                  particle.properties};
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              landed.reference[d] = walker.reference[d];
+              landed.properties[Population<dim>::velocity_offset + d] +=
+                walker.integral[d];
+            }
+          dispersal.landed.push_back(landed);
+          dispersal.accelerations.push_back(walker.acceleration);
+        }
+    return dispersal;
   }
 
 
@@ -287,6 +348,15 @@ namespace Thalweg
   insert_along(Population<3> &,
                const StreamlineWalk<3> &,
                const std::vector<NewParticle<3>> &);
+
+  template Dispersal<2>
+  disperse_along(Population<2> &,
+                 const StreamlineWalk<2, DispersedField<2>> &,
+                 const double);
+  template Dispersal<3>
+  disperse_along(Population<3> &,
+                 const StreamlineWalk<3, DispersedField<3>> &,
+                 const double);
 
 #define INSTANTIATE(dim, Field)                     \
   template ConvectionReport move_along<dim, Field>( \

@@ -50,6 +50,27 @@ namespace Thalweg
   }
 
 
+  void
+  ConvectionReport::add(const ConvectionReport &other)
+  {
+    n_moved += other.n_moved;
+    n_lost += other.n_lost;
+    if (other.first_lost.id < first_lost.id)
+      first_lost = other.first_lost;
+    for (const auto &[boundary, counts] : other.left)
+      for (unsigned int i = 0; i < 2; ++i)
+        left[boundary][i] += counts[i];
+    exits.insert(exits.end(), other.exits.begin(), other.exits.end());
+    dispersed_exits.insert(dispersed_exits.end(),
+                           other.dispersed_exits.begin(),
+                           other.dispersed_exits.end());
+    for (unsigned int i = 0; i < 2; ++i)
+      lost_volume[i] += other.lost_volume[i];
+    n_substeps += other.n_substeps;
+    n_cells_crossed += other.n_cells_crossed;
+  }
+
+
   std::uint64_t
   ConvectionReport::n_left() const
   {

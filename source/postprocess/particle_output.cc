@@ -1,12 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/postprocess/scheduled_output.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/particles/data_out.h>
 
 namespace Thalweg
 {
   namespace
   {
+    template <int dim>
+    void
+    write_population(const Population<dim>   &population,
+                     const SolutionView<dim> &solution,
+                     Context                 &context,
+                     PvdRecord               &record)
+    {
+      using namespace dealii::DataComponentInterpretation;
+      std::vector<std::string>                 names(dim, "velocity");
+      std::vector<DataComponentInterpretation> interpretations(
+        dim, component_is_part_of_vector);
+      for (const char *name : {"level_set", "volume"})
+        {
+          names.push_back(name);
+          interpretations.push_back(component_is_scalar);
+        }
+      dealii::Particles::DataOut<dim> data;
+      data.build_patches(population.handler(), names, interpretations);
+      record.write(context, data, solution.time, solution.step);
+    }
+
+
+
     /// The particles for ParaView.
     template <int dim>
     class ParticleOutput : public SeriesOutput<dim>
@@ -20,21 +44,31 @@ namespace Thalweg
       void
       write(Context &context, const SolutionView<dim> &solution) override
       {
-        using namespace dealii::DataComponentInterpretation;
-        std::vector<std::string>                 names(dim, "velocity");
-        std::vector<DataComponentInterpretation> interpretations(
-          dim, component_is_part_of_vector);
-        for (const char *name : {"level_set", "volume"})
-          {
-            names.push_back(name);
-            interpretations.push_back(component_is_scalar);
-          }
+        write_population(solution.population, solution, context, this->record);
+      }
+    };
 
-        dealii::Particles::DataOut<dim> data;
-        data.build_patches(solution.population.handler(),
-                           names,
-                           interpretations);
-        this->record.write(context, data, solution.time, solution.step);
+
+
+    /// Drops and bubbles for ParaView.
+    template <int dim>
+    class DispersedOutput : public SeriesOutput<dim>
+    {
+    public:
+      DispersedOutput()
+        : SeriesOutput<dim>("dispersed")
+      {}
+
+    private:
+      void
+      write(Context &context, const SolutionView<dim> &solution) override
+      {
+        AssertThrow(solution.dispersed != nullptr,
+                    dealii::ExcMessage(
+                      "There are neither drops nor bubbles in this run, see "
+                      "'Particles/Spray': take 'dispersed' out of "
+                      "'Postprocess/Models'."));
+        write_population(*solution.dispersed, solution, context, this->record);
       }
     };
   } // namespace
@@ -44,4 +78,10 @@ namespace Thalweg
                    "particles",
                    "the particles with number, velocity, level set and volume, "
                    "for ParaView; writes particles.pvd.")
+  THALWEG_REGISTER(
+    Postprocessor,
+    DispersedOutput,
+    "dispersed",
+    "drops and bubbles that the mesh does not see, in the same way; "
+    "writes dispersed.pvd.")
 } // namespace Thalweg

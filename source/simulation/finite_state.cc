@@ -108,9 +108,10 @@ namespace Thalweg
 
     template <int dim>
     void
-    check_particles(const SolutionView<dim> &solution)
+    check_particles(const SolutionView<dim> &solution,
+                    const Population<dim>   &population)
     {
-      for (const auto &particle : solution.population.handler())
+      for (const auto &particle : population.handler())
         {
           const auto    properties = particle.get_properties();
           const double *bad        = std::find_if(properties.begin(),
@@ -152,7 +153,9 @@ namespace Thalweg
                    solution.flow->pressure,
                    "pressure");
       }
-    check_particles(solution);
+    check_particles(solution, solution.population);
+    if (solution.dispersed != nullptr)
+      check_particles(solution, *solution.dispersed);
   }
 
 

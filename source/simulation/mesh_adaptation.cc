@@ -71,6 +71,7 @@ namespace Thalweg
       {
         parameters.balance.count(view());
         parts.particles().handler().clear_particles();
+        parts.dispersed().handler().clear_particles();
         mesh.triangulation().execute_coarsening_and_refinement();
         mesh.update();
         parts.set_initial_state();
@@ -97,7 +98,7 @@ namespace Thalweg
   {
     parameters.balance.count(view());
     const Archive     values;
-    MeshTransfer<dim> transfer(mesh, parts.particles());
+    MeshTransfer<dim> transfer(mesh, {parts.particles(), parts.dispersed()});
     {
       const State<dim> state(values);
       keep(state);

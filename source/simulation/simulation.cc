@@ -77,7 +77,8 @@ namespace Thalweg
             step,
             parameters.time.end_time(),
             parameters.time.is_over(time, step),
-            parameters.method->flow_fields()};
+            parameters.method->flow_fields(),
+            parts->dispersed_phase() ? &parts->dispersed() : nullptr};
   }
 
 

@@ -148,7 +148,7 @@ namespace Thalweg
     const State<dim> state(values);
     parts->keep_constants(values.enter("constants"));
     keep(state);
-    MeshTransfer<dim> transfer(mesh, parts->particles());
+    MeshTransfer<dim> transfer(mesh, {parts->particles(), parts->dispersed()});
     CheckpointContent content;
     content.cells  = mesh.cells_on_curve();
     content.packed = transfer.pack_to_save(state);
@@ -256,7 +256,7 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     const State<dim>           state(values);
-    MeshTransfer<dim>          transfer(mesh, parts->particles());
+    MeshTransfer<dim> transfer(mesh, {parts->particles(), parts->dispersed()});
     with_name_of(checkpoint, [&]() {
       keep(state);
       transfer.keep(values.enter("fields"));

@@ -57,6 +57,18 @@ namespace Thalweg
                   "projected, where the flow has distorted distances: those "
                   "from farther away say nothing about the surface.",
                   dealii::Patterns::Double(0));
+      section.add("Spray",
+                  spray,
+                  "",
+                  "What becomes of particles where the mesh shows the other "
+                  "fluid, since drops, jets and bubbles are finer than its "
+                  "cells: drops fly freely on parabolas and bubbles rise until "
+                  "they are back in their own fluid (`ballistic`), or all are "
+                  "carried by the fluid around them (`none`). `automatic` is "
+                  "`ballistic` if the first fluid is at least a hundred times "
+                  "as dense as the second. Where particles carry values that "
+                  "are neither a sign nor a distance, there is none.",
+                  dealii::Patterns::Selection("automatic|ballistic|none"));
     }
     {
       const Section section = root.enter("Projection");
@@ -79,8 +91,26 @@ namespace Thalweg
 
 
 
+  template <int dim>
+  bool
+  SimulationParameters<dim>::has_spray() const
+  {
+    if (fluids.size() == 1 || !method->computes_flow() || spray == "none" ||
+        particles_carry == "value")
+      return false;
+    constexpr double as_in_a_vacuum = 100.;
+    return spray == "ballistic" ||
+           fluids[0].density >= as_in_a_vacuum * fluids[1].density;
+  }
+
+
+
   template void
   SimulationParameters<2>::declare(const Section &);
+  template bool
+  SimulationParameters<2>::has_spray() const;
   template void
   SimulationParameters<3>::declare(const Section &);
+  template bool
+  SimulationParameters<3>::has_spray() const;
 } // namespace Thalweg

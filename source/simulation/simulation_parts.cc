@@ -72,6 +72,7 @@ namespace Thalweg
     , mesh(mesh)
     , conditions(parameters.boundary_conditions, mesh)
     , population(mesh)
+    , dispersed_(mesh)
   {
     parameters.forces.initialize(parameters.time.end_time());
     parameters.population.level_set_is_sign =
@@ -158,10 +159,36 @@ namespace Thalweg
 
 
   template <int dim>
+  std::vector<FluidVolumes>
+  SimulationParts<dim>::volumes_to_show() const
+  {
+    auto       volumes = volumes_of_cells();
+    const auto drops   = dispersed_.volumes_of_cells();
+    for (unsigned int c = 0; c < volumes.size(); ++c)
+      volumes[c][1] += drops[c][0];
+    return volumes;
+  }
+
+
+
+  template <int dim>
   FluidVolumes
   SimulationParts<dim>::carried_volumes() const
   {
-    return sum_over_ranks(volumes_of_cells(), context.communicator);
+    FluidVolumes sum = sum_over_ranks(volumes_of_cells(), context.communicator);
+    const FluidVolumes dispersed = dispersed_volumes();
+    for (unsigned int f = 0; f < 2; ++f)
+      sum[f] += dispersed[f];
+    return sum;
+  }
+
+
+
+  template <int dim>
+  FluidVolumes
+  SimulationParts<dim>::dispersed_volumes() const
+  {
+    return dispersed_phase_ ? dispersed_phase_->volumes() : FluidVolumes();
   }
 
 
@@ -178,9 +205,16 @@ namespace Thalweg
       std::make_unique<StreamlineConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());
-    paths    = std::make_unique<PathConvection<dim>>(mesh,
+    paths = std::make_unique<PathConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());
+    if (parameters.has_spray())
+      dispersed_phase_ =
+        std::make_unique<DispersedPhase<dim>>(dispersed_,
+                                              parameters.convection,
+                                              walls(),
+                                              parameters.particles_carry ==
+                                                "sign");
     control  = std::make_unique<PopulationControl<dim>>(parameters.population,
                                                        *convection,
                                                        inflow());
@@ -194,7 +228,7 @@ namespace Thalweg
       *convection,
       parameters.seeding.particles_per_direction);
     if (parameters.fluids.size() == 2)
-      phase->carry([this]() { return volumes_of_cells(); }, *boundary);
+      phase->carry([this]() { return volumes_to_show(); }, *boundary);
     parameters.fluid_solver->initialize(
       context, *space, *boundary, *phase, parameters.forces);
     parameters.method->attach({context,
@@ -211,7 +245,8 @@ namespace Thalweg
                                *phase,
                                *parameters.fluid_solver,
                                *paths,
-                               *exchange});
+                               *exchange,
+                               dispersed_phase_.get()});
   }
 
 
@@ -256,6 +291,7 @@ namespace Thalweg
         ? static_cast<const dealii::Function<dim> &>(distance)
         : *expression;
     population.handler().clear_particles();
+    dispersed_.handler().clear_particles();
     seed(population,
          parameters.seeding,
          *velocity,

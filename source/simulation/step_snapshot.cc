@@ -14,6 +14,7 @@ namespace Thalweg
     for (unsigned int i = 0; i < fields.size(); ++i)
       fields[i] = *state.fields()[i].vector;
     particles.save(parts.particles());
+    dispersed.save(parts.dispersed());
   }
 
 
@@ -32,6 +33,7 @@ namespace Thalweg
         field.space->interpolate(*field.vector, field.n_components);
       }
     particles.restore(parts.particles());
+    dispersed.restore(parts.dispersed());
     parts.update();
   }
 

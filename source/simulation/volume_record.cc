@@ -15,12 +15,15 @@ namespace Thalweg
     const VolumeBooks     &books      = parts->books();
     const FluidVolumes     carried    = parts->carried_volumes();
     const FluidVolumes     in = books.in(), out = books.out();
-    const double correction = phase.volume() - phase.volume_before_shift();
-    const double debt       = carried[0] - phase.volume();
+    const double correction      = phase.volume() - phase.volume_before_shift();
+    const FluidVolumes dispersed = parts->dispersed_volumes();
+    const double       debt      = carried[0] - dispersed[0] - phase.volume();
 
     statistics.set("target volume 1 [m^d]", books.inside()[0]);
     statistics.set("correction of volume 1 [m^d]", correction);
     statistics.set("debt of volume 1 [m^d]", debt);
+    statistics.set("drops of volume 1 [m^d]", dispersed[0]);
+    statistics.set("bubbles of volume 2 [m^d]", dispersed[1]);
     FluidVolumes ever = books.start;
     for (unsigned int f = 0; f < 2; ++f)
       {

@@ -37,6 +37,27 @@ namespace Thalweg
       return particle;
     }
 
+    /// Makes what each owned cell has received the population.
+    template <int dim>
+    void
+    store(const std::vector<std::vector<ParticleRecord<dim>>> &received,
+          Population<dim>                                     &population)
+    {
+      std::size_t n_particles = 0;
+      for (const auto &cell : received)
+        n_particles += cell.size();
+      population.handler().clear_particles();
+      population.handler().reserve(n_particles);
+      for (unsigned int c = 0; c < received.size(); ++c)
+        store_in_cell(population,
+                      c,
+                      received[c].size(),
+                      [&](const unsigned int k) -> const ParticleRecord<dim> & {
+                        return received[c][k];
+                      });
+      population.handler().update_cached_numbers();
+    }
+
     /// @p reference of a cell's parent in the child that covers it.
     template <int dim>
     dealii::Point<dim>
@@ -98,9 +119,11 @@ namespace Thalweg
 
 
   template <int dim>
-  MeshTransfer<dim>::MeshTransfer(Mesh<dim> &mesh, Population<dim> &population)
+  MeshTransfer<dim>::MeshTransfer(Mesh<dim>         &mesh,
+                                  const Populations &populations)
     : mesh(mesh)
-    , population(population)
+    , populations(populations)
+    , particles(populations.size())
   {}
 
 
@@ -122,7 +145,8 @@ namespace Thalweg
         n_values.push_back(field.space->n_nodes_per_cell() *
                            field.n_components);
       }
-    particles.save(population);
+    for (unsigned int p = 0; p < populations.size(); ++p)
+      particles[p].save(populations[p]);
   }
 
 
@@ -132,7 +156,8 @@ namespace Thalweg
   MeshTransfer<dim>::pack(const State<dim> &state)
   {
     take(state);
-    population.handler().clear_particles();
+    for (Population<dim> &population : populations)
+      population.handler().clear_particles();
     handle = mesh.triangulation().register_data_attach(
       [this](const CellIterator &cell, const auto status) {
         return pack_cell(cell, Compat::fate<dim>(status));
@@ -194,14 +219,24 @@ namespace Thalweg
                          values[k].local_element(field.n_components * node +
                                                  d));
         }
-    for (unsigned int c = 0; c < (is_coarsened ? cell->n_children() : 1u); ++c)
-      for (ParticleRecord<dim> particle :
-           particles.in_cell(graph.index(is_coarsened ? cell->child(c) : cell)))
-        {
-          if (is_coarsened)
-            particle.reference = to_parent<dim>(particle.reference, c);
-          append_particle<dim>(bytes, particle);
-        }
+    const unsigned int n_sources = is_coarsened ? cell->n_children() : 1u;
+    const auto         source    = [&](const unsigned int c) {
+      return graph.index(is_coarsened ? cell->child(c) : cell);
+    };
+    for (const PopulationSnapshot<dim> &population : particles)
+      {
+        std::uint32_t n = 0;
+        for (unsigned int c = 0; c < n_sources; ++c)
+          n += population.in_cell(source(c)).size();
+        append_plain(bytes, n);
+        for (unsigned int c = 0; c < n_sources; ++c)
+          for (ParticleRecord<dim> particle : population.in_cell(source(c)))
+            {
+              if (is_coarsened)
+                particle.reference = to_parent<dim>(particle.reference, c);
+              append_particle<dim>(bytes, particle);
+            }
+      }
     return bytes;
   }
 
@@ -254,7 +289,8 @@ namespace Thalweg
   void
   MeshTransfer<dim>::unpack_particle(ParticleRecord<dim>    particle,
                                      const CellIterator    &cell,
-                                     const Compat::CellFate fate)
+                                     const Compat::CellFate fate,
+                                     Received              &received) const
   {
     const CellGraph<dim> &graph  = mesh.graph();
     CellIterator          target = cell;
@@ -292,8 +328,15 @@ namespace Thalweg
         if (fields[k].vector != nullptr)
           unpack_field(fields[k], cell, fate, values);
       }
-    while (reader.left() > 0)
-      unpack_particle(read_particle<dim>(reader), cell, fate);
+    for (Received &population : received)
+      {
+        std::uint32_t n = 0;
+        reader.read(n);
+        for (std::uint32_t i = 0; i < n; ++i)
+          unpack_particle(read_particle<dim>(reader), cell, fate, population);
+      }
+    AssertThrow(reader.left() == 0,
+                dealii::ExcMessage("its cells hold more than they should"));
   }
 
 
@@ -305,7 +348,7 @@ namespace Thalweg
     fields.clear();
     for (const std::string &name : names)
       fields.push_back(find(state, name));
-    received.assign(mesh.graph().n_owned_cells(), {});
+    received.assign(populations.size(), Received(mesh.graph().n_owned_cells()));
     for (const auto &field : state.fields())
       field.vector->zero_out_ghost_values();
   }
@@ -340,19 +383,8 @@ namespace Thalweg
     for (const auto &field : state.fields())
       field.space->interpolate(*field.vector, field.n_components);
 
-    std::size_t n_particles = 0;
-    for (const auto &cell : received)
-      n_particles += cell.size();
-    population.handler().clear_particles();
-    population.handler().reserve(n_particles);
-    for (unsigned int c = 0; c < received.size(); ++c)
-      store_in_cell(population,
-                    c,
-                    received[c].size(),
-                    [&](const unsigned int k) -> const ParticleRecord<dim> & {
-                      return received[c][k];
-                    });
-    population.handler().update_cached_numbers();
+    for (unsigned int p = 0; p < populations.size(); ++p)
+      store<dim>(received[p], populations[p]);
     received.clear();
     fields.clear();
     values.clear();

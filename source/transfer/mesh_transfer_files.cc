@@ -78,14 +78,15 @@ namespace Thalweg
                            return std::isfinite(value);
                          });
     };
-    for (unsigned int c = 0; c < received.size(); ++c)
-      for (const auto &particle : received[c])
-        {
-          const auto &vertices = mesh.graph().cell(c).vertices;
-          AssertThrow(is_good(particle, vertices.front(), vertices.back()),
-                      dealii::ExcMessage("it has particles that cannot be "
-                                         "where it says."));
-        }
+    for (const Received &population : received)
+      for (unsigned int c = 0; c < population.size(); ++c)
+        for (const auto &particle : population[c])
+          {
+            const auto &vertices = mesh.graph().cell(c).vertices;
+            AssertThrow(is_good(particle, vertices.front(), vertices.back()),
+                        dealii::ExcMessage("it has particles that cannot be "
+                                           "where it says."));
+          }
   }
 
 

@@ -191,7 +191,7 @@ TYPED_TEST(MeshTransferMpi, NothingIsLostOnMeshesThatChange)
   for (unsigned int round = 0; round < 4; ++round)
     {
       flag(mesh, round);
-      MeshTransfer<dim> transfer(mesh, travellers.population);
+      MeshTransfer<dim> transfer(mesh, {travellers.population});
       transfer.pack(travellers.state());
       mesh.triangulation().execute_coarsening_and_refinement();
       mesh.update();
@@ -218,7 +218,7 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
   const std::vector<unsigned int> counts =
     dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD,
                                        mesh.graph().n_owned_cells());
-  MeshTransfer<dim> departure(mesh, travellers.population);
+  MeshTransfer<dim> departure(mesh, {travellers.population});
   const PackedCells packed = departure.pack_to_save(travellers.state());
   const Archive     archive;
   departure.keep(archive);
@@ -232,7 +232,7 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
   Mesh<dim> loaded(MPI_COMM_WORLD);
   load(loaded, saved);
   Travellers<dim>   arrivals(loaded);
-  MeshTransfer<dim> transfer(loaded, arrivals.population);
+  MeshTransfer<dim> transfer(loaded, {arrivals.population});
   transfer.keep(archive.reader());
   transfer.unpack_saved(arrivals.state(), packed);
   arrivals.expect_filled(travellers.population.n_global_particles());

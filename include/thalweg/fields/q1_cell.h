@@ -34,6 +34,19 @@ namespace Thalweg
       return shape;
     }
 
+    /// The value at @p xi of a scalar with the given nodal ones.
+    template <int dim>
+    inline double
+    value(const std::array<double, (1 << dim)> &nodal,
+          const dealii::Point<dim>             &xi)
+    {
+      const auto shape = values<dim>(xi);
+      double     sum   = 0;
+      for (unsigned int v = 0; v < shape.size(); ++v)
+        sum += shape[v] * nodal[v];
+      return sum;
+    }
+
     /// The mean of a cell's corners.
     template <int dim>
     inline dealii::Point<dim>

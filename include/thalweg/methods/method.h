@@ -10,6 +10,7 @@
 #include <thalweg/fluid/fluid_solver.h>
 #include <thalweg/interface/phase_field.h>
 #include <thalweg/particles/boundary_exchange.h>
+#include <thalweg/particles/dispersed_phase.h>
 #include <thalweg/particles/path_convection.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/streamline_convection.h>
@@ -38,6 +39,7 @@ namespace Thalweg
     FluidSolver<dim>                &flow;
     const PathConvection<dim>       &paths;
     BoundaryExchange<dim>           &exchange;
+    DispersedPhase<dim>             *dispersed; ///< nullptr without
   };
 
   /**

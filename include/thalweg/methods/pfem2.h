@@ -2,6 +2,7 @@
 #ifndef thalweg_methods_pfem2_h
 #define thalweg_methods_pfem2_h
 
+#include <thalweg/methods/dispersed_motion.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/transfer/carried_distance.h>
 
@@ -64,6 +65,21 @@ namespace Thalweg
     /// they move for @p dt; what new ones get, too.
     void
     keep_distance(const double dt);
+
+    /// Lets particles go along the streamlines, and drops and bubbles their
+    /// own ways, from @p time to @p time + @p dt.
+    ConvectionReport
+    move_particles(const double time, const double dt);
+
+    /// The time of the velocities of particles whose places are those at
+    /// @p time + @p dt.
+    double
+    time_of_particles(const double time, const double dt) const;
+
+    /// Finds out which particles the projected level set does not see at
+    /// @p time + @p dt: they are drops and bubbles from now on.
+    void
+    disperse(const double time, const double dt);
 
     /// V* of the particles before they move.
     void

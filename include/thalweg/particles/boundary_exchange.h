@@ -88,6 +88,11 @@ namespace Thalweg
             const ConvectionReport      &report,
             VolumeBooks                 &counted);
 
+    /// Drops and bubbles take nothing of the flux along: the fluid around them
+    /// comes in their place.
+    void
+    let_out_dispersed(const std::vector<Exit> &exits, VolumeBooks &counted);
+
     /// Settles with the particles before a face what is owed there.
     static void
     settle(std::vector<typename Population<dim>::Iterator> &nearest_first,

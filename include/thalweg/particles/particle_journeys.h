@@ -2,6 +2,7 @@
 #ifndef thalweg_particles_particle_journeys_h
 #define thalweg_particles_particle_journeys_h
 
+#include <thalweg/particles/dispersed_field.h>
 #include <thalweg/particles/population.h>
 #include <thalweg/particles/streamline_convection.h>
 #include <thalweg/particles/streamline_walk.h>
@@ -32,6 +33,26 @@ namespace Thalweg
   move_along(Population<dim>                  &population,
              const StreamlineWalk<dim, Field> &walk,
              const double                      dt);
+
+  /// What became of drops and bubbles.
+  template <int dim>
+  struct Dispersal
+  {
+    ConvectionReport report;
+    /// Those that met their own fluid on this rank, with the velocity and the
+    /// time left that they had then.
+    std::vector<NewParticle<dim>> landed;
+    /// What accelerated each of them, m/s^2.
+    std::vector<std::array<double, dim>> accelerations;
+  };
+
+  /// As move_along() for drops and bubbles; those that land are taken out of
+  /// the population. Collective.
+  template <int dim>
+  Dispersal<dim>
+  disperse_along(Population<dim>                                &population,
+                 const StreamlineWalk<dim, DispersedField<dim>> &walk,
+                 const double                                    dt);
 
   /// Inserts particles that each walk for a time of their own, and returns
   /// what became of those that ended on this rank. Collective.

@@ -23,6 +23,7 @@ namespace Thalweg
     static constexpr unsigned int n_nodes =
       dim == 1 ? n : (dim == 2 ? n * n : n * n * n);
     static constexpr bool accelerates = true;
+    static constexpr bool disperses   = false;
     using WalkerType                  = PathWalker<dim>;
     using Coordinates                 = std::array<double, dim>;
 
@@ -41,25 +42,25 @@ namespace Thalweg
               const double           direction);
 
     double
-    longest_substep(const unsigned int cell) const
+    longest_substep(const WalkerType &walker) const
     {
-      return flow[cell].longest_substep;
+      return flow[walker.cell].longest_substep;
     }
 
     Coordinates
-    velocity(const unsigned int cell,
+    velocity(const WalkerType  &walker,
              const Coordinates &reference,
              const double       time_left) const
     {
-      return evaluate(flow[cell].velocity, reference, time_left);
+      return evaluate(flow[walker.cell].velocity, reference, time_left);
     }
 
     Coordinates
-    acceleration(const unsigned int cell,
+    acceleration(const WalkerType  &walker,
                  const Coordinates &reference,
                  const double       time_left) const
     {
-      return evaluate(flow[cell].acceleration, reference, time_left);
+      return evaluate(flow[walker.cell].acceleration, reference, time_left);
     }
 
     /// The velocity of the flow, whatever the cell and the direction, in m/s.
@@ -69,7 +70,7 @@ namespace Thalweg
                   const Coordinates                   &reference,
                   const double                         time_left) const
     {
-      Coordinates result = velocity(cell, reference, time_left);
+      Coordinates result = evaluate(flow[cell].velocity, reference, time_left);
       for (unsigned int d = 0; d < dim; ++d)
         result[d] *=
           direction * (geometry.axis_parallel ? geometry.extent[d] : 1.);

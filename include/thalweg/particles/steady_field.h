@@ -22,6 +22,7 @@ namespace Thalweg
   public:
     static constexpr unsigned int n_vertices  = 1 << dim;
     static constexpr bool         accelerates = false;
+    static constexpr bool         disperses   = false;
     using WalkerType                          = Walker<dim>;
     using Coordinates                         = std::array<double, dim>;
 
@@ -37,17 +38,17 @@ namespace Thalweg
                 const double             direction);
 
     double
-    longest_substep(const unsigned int cell) const
+    longest_substep(const WalkerType &walker) const
     {
-      return flow[cell].longest_substep;
+      return flow[walker.cell].longest_substep;
     }
 
     Coordinates
-    velocity(const unsigned int cell,
+    velocity(const WalkerType  &walker,
              const Coordinates &reference,
              const double /*time_left*/) const
     {
-      return CellPolynomial::evaluate(flow[cell].velocity, reference);
+      return CellPolynomial::evaluate(flow[walker.cell].velocity, reference);
     }
 
   private:

@@ -62,10 +62,16 @@ namespace Thalweg
     std::map<dealii::types::boundary_id, std::array<std::uint64_t, 2>> left;
     /// Where they left and what they carried; of this rank only.
     std::vector<Exit> exits;
+    /// The same of drops and bubbles.
+    std::vector<Exit> dispersed_exits;
     /// What those that were lost carried of both fluids, m^dim.
     std::array<double, 2> lost_volume{};
     std::uint64_t         n_substeps      = 0;
     std::uint64_t         n_cells_crossed = 0;
+
+    /// Counts what became of other particles of this rank, too.
+    void
+    add(const ConvectionReport &other);
 
     /// All that left, through whichever boundary.
     std::uint64_t

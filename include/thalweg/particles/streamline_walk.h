@@ -26,14 +26,17 @@ namespace Thalweg
    * A constructed object is constant and holds a reference to the graph,
    * which has to outlive it.
    *
-   * @tparam Field what moves the walkers: SteadyField, or a PathField.
-   *   It has
-   *   - `WalkerType`, Walker or PathWalker;
+   * @tparam Field what moves the walkers: SteadyField, a PathField, or
+   *   DispersedField. It has
+   *   - `WalkerType`, Walker or one derived from it;
    *   - `accelerates`, whether there is an acceleration;
-   *   - `longest_substep(cell)`, in s;
-   *   - `velocity(cell, reference, time_left)`: on axis-parallel cells that of
-   *     the reference coordinates in 1/s, else that of the position in m/s;
-   *   - `acceleration(cell, reference, time_left)`, if any, in m/s^2.
+   *   - `disperses`, whether walkers are drops or bubbles;
+   *   - `longest_substep(walker)`, in s;
+   *   - `velocity(walker, reference, time_left)`: on axis-parallel cells that
+   *     of the reference coordinates in 1/s, else that of the position in m/s;
+   *   - `acceleration(walker, reference, time_left)`, if any, in m/s^2;
+   *   - if they are, `hit(walker, normal)` for walls, and `lands(walker)`,
+   *     whether its way ends where it is.
    */
   template <int dim, typename Field = SteadyField<dim>>
   class StreamlineWalk
@@ -89,25 +92,21 @@ namespace Thalweg
 
     template <bool axis_parallel>
     Coordinates
-    rate(const unsigned int cell,
+    rate(const WalkerType  &walker,
          const Coordinates &reference,
          const double       time_left) const;
 
     template <StreamlineScheme scheme, bool axis_parallel>
     Coordinates
-    substep(const unsigned int cell,
-            const Coordinates &begin,
-            const double       time_left,
-            const double       time,
-            Coordinates       &gain) const;
+    substep(const WalkerType &walker,
+            const double      time,
+            Coordinates      &gain) const;
 
     template <StreamlineScheme scheme>
     Coordinates
-    careful_substep(const unsigned int cell,
-                    const Coordinates &begin,
-                    const double       time_left,
-                    double            &time,
-                    Coordinates       &gain) const;
+    careful_substep(const WalkerType &walker,
+                    double           &time,
+                    Coordinates      &gain) const;
 
     template <StreamlineScheme scheme>
     void
@@ -115,6 +114,11 @@ namespace Thalweg
 
     void
     cross(WalkerType &walker, WalkEffort &effort) const;
+
+    /// Normal to the face of the walker's cell that bounds a reference
+    /// coordinate, of any length.
+    Coordinates
+    normal(const WalkerType &walker, const unsigned int direction) const;
 
     static Exit
     find_exit(const Coordinates &begin, Coordinates &end);

@@ -84,15 +84,15 @@ namespace Thalweg
   template <int dim, typename Field>
   template <bool axis_parallel>
   inline typename StreamlineWalk<dim, Field>::Coordinates
-  StreamlineWalk<dim, Field>::rate(const unsigned int cell,
+  StreamlineWalk<dim, Field>::rate(const WalkerType  &walker,
                                    const Coordinates &reference,
                                    const double       time_left) const
   {
-    const Coordinates velocity = field_.velocity(cell, reference, time_left);
+    const Coordinates velocity = field_.velocity(walker, reference, time_left);
     if constexpr (axis_parallel)
       return velocity;
     else
-      return CellPolynomial::solve<dim>(maps.jacobian(cell, reference),
+      return CellPolynomial::solve<dim>(maps.jacobian(walker.cell, reference),
                                         velocity);
   }
 
@@ -100,40 +100,40 @@ namespace Thalweg
   template <int dim, typename Field>
   template <StreamlineScheme scheme, bool axis_parallel>
   inline typename StreamlineWalk<dim, Field>::Coordinates
-  StreamlineWalk<dim, Field>::substep(const unsigned int cell,
-                                      const Coordinates &begin,
-                                      const double       time_left,
-                                      const double       time,
-                                      Coordinates       &gain) const
+  StreamlineWalk<dim, Field>::substep(const WalkerType &walker,
+                                      const double      time,
+                                      Coordinates      &gain) const
   {
     using WalkDetails::along;
+    const Coordinates begin       = walker.reference;
+    const double      time_left   = walker.time;
     const double      half        = 0.5 * time;
     const double      left_middle = time_left - half;
-    const Coordinates k1          = rate<axis_parallel>(cell, begin, time_left);
-    const Coordinates p2          = along<dim>(begin, half, k1);
-    const Coordinates k2          = rate<axis_parallel>(cell, p2, left_middle);
+    const Coordinates k1 = rate<axis_parallel>(walker, begin, time_left);
+    const Coordinates p2 = along<dim>(begin, half, k1);
+    const Coordinates k2 = rate<axis_parallel>(walker, p2, left_middle);
     if constexpr (scheme == StreamlineScheme::rk2)
       {
         if constexpr (Field::accelerates)
           gain =
-            along<dim>({}, time, field_.acceleration(cell, p2, left_middle));
+            along<dim>({}, time, field_.acceleration(walker, p2, left_middle));
         return along<dim>(begin, time, k2);
       }
     else
       {
         const double      left_end = time_left - time;
         const Coordinates p3       = along<dim>(begin, half, k2);
-        const Coordinates k3       = rate<axis_parallel>(cell, p3, left_middle);
-        const Coordinates p4       = along<dim>(begin, time, k3);
-        const Coordinates k4       = rate<axis_parallel>(cell, p4, left_end);
+        const Coordinates k3 = rate<axis_parallel>(walker, p3, left_middle);
+        const Coordinates p4 = along<dim>(begin, time, k3);
+        const Coordinates k4 = rate<axis_parallel>(walker, p4, left_end);
         if constexpr (Field::accelerates)
           gain = WalkDetails::classical<dim>(
             {},
             time,
-            field_.acceleration(cell, begin, time_left),
-            field_.acceleration(cell, p2, left_middle),
-            field_.acceleration(cell, p3, left_middle),
-            field_.acceleration(cell, p4, left_end));
+            field_.acceleration(walker, begin, time_left),
+            field_.acceleration(walker, p2, left_middle),
+            field_.acceleration(walker, p3, left_middle),
+            field_.acceleration(walker, p4, left_end));
         return WalkDetails::classical<dim>(begin, time, k1, k2, k3, k4);
       }
   }
@@ -142,20 +142,17 @@ namespace Thalweg
   template <int dim, typename Field>
   template <StreamlineScheme scheme>
   typename StreamlineWalk<dim, Field>::Coordinates
-  StreamlineWalk<dim, Field>::careful_substep(const unsigned int cell,
-                                              const Coordinates &begin,
-                                              const double       time_left,
-                                              double            &time,
-                                              Coordinates       &gain) const
+  StreamlineWalk<dim, Field>::careful_substep(const WalkerType &walker,
+                                              double           &time,
+                                              Coordinates      &gain) const
   {
     // Outside a strongly distorted cell its map may be folded: shorter
     // substeps keep the stages nearer.
-    Coordinates end =
-      substep<scheme, false>(cell, begin, time_left, time, gain);
+    Coordinates end = substep<scheme, false>(walker, time, gain);
     for (unsigned int i = 0; i < 6 && !CellPolynomial::is_finite<dim>(end); ++i)
       {
         time *= 0.5;
-        end = substep<scheme, false>(cell, begin, time_left, time, gain);
+        end = substep<scheme, false>(walker, time, gain);
       }
     return end;
   }
@@ -174,15 +171,12 @@ namespace Thalweg
     unsigned int n_substeps = 0;
     while (walker.time > 0 && walker.fate == Fate::under_way)
       {
-        const unsigned int cell = walker.cell;
-        const double       left = walker.time;
-        double             time = std::min(left, field_.longest_substep(cell));
-        Coordinates        end, gain;
-        if (cell_graph.cell(cell).axis_parallel)
-          end = substep<scheme, true>(cell, walker.reference, left, time, gain);
+        double time = std::min(walker.time, field_.longest_substep(walker));
+        Coordinates end, gain;
+        if (cell_graph.cell(walker.cell).axis_parallel)
+          end = substep<scheme, true>(walker, time, gain);
         else
-          end =
-            careful_substep<scheme>(cell, walker.reference, left, time, gain);
+          end = careful_substep<scheme>(walker, time, gain);
         walker.time -= time;
         if constexpr (Field::accelerates)
           for (unsigned int d = 0; d < dim; ++d)
@@ -202,6 +196,9 @@ namespace Thalweg
 
         if (++n_substeps == WalkDetails::max_substeps_a_way)
           walker.fate = Fate::lost;
+        if constexpr (Field::disperses)
+          if (walker.fate == Fate::under_way && field_.lands(walker))
+            walker.fate = Fate::landed;
       }
     effort.n_substeps += n_substeps;
     if (walker.fate == Fate::under_way)
@@ -291,9 +288,27 @@ namespace Thalweg
             return;
           }
         else
-          walker.reference[exit.face / 2] = exit.face % 2;
+          {
+            walker.reference[exit.face / 2] = exit.face % 2;
+            if constexpr (Field::disperses)
+              field_.hit(walker, normal(walker, exit.face / 2));
+          }
       }
     walker.fate = Fate::lost;
+  }
+
+
+  template <int dim, typename Field>
+  typename StreamlineWalk<dim, Field>::Coordinates
+  StreamlineWalk<dim, Field>::normal(const WalkerType  &walker,
+                                     const unsigned int direction) const
+  {
+    Coordinates unit{};
+    unit[direction] = 1;
+    return cell_graph.cell(walker.cell).axis_parallel
+             ? unit
+             : CellPolynomial::solve<dim>(
+                 transpose(maps.jacobian(walker.cell, walker.reference)), unit);
   }
 
 

@@ -40,6 +40,8 @@ namespace Thalweg
     elsewhere,
     /// it came to an open boundary
     left,
+    /// a drop or a bubble that met its own fluid
+    landed,
     /// its velocity or its position became undefined
     lost
   };
@@ -106,6 +108,24 @@ namespace Thalweg
     {
       PathWalker walker{Walker<dim>::start(cell, reference, time), {}, {}};
       return walker;
+    }
+  };
+
+  /// A drop or a bubble, which has a velocity of its own.
+  template <int dim>
+  struct DispersedWalker : PathWalker<dim>
+  {
+    std::array<double, dim> first_velocity; ///< m/s
+    std::array<double, dim> acceleration;   ///< m/s^2
+    bool                    is_bubble;
+
+    /// One that is to go for the time @p time from a point of a cell.
+    static DispersedWalker
+    start(const unsigned int        cell,
+          const dealii::Point<dim> &reference,
+          const double              time)
+    {
+      return {PathWalker<dim>::start(cell, reference, time), {}, {}, false};
     }
   };
 

@@ -38,6 +38,10 @@ namespace Thalweg
     /// The flow in its own spaces, where the method has such; then velocity
     /// and pressure above are its values at the vertices. Else nullptr.
     const FlowFields<dim> *flow = nullptr;
+
+    /// Drops and bubbles that take no part in the flow; nullptr where there
+    /// can be none.
+    const Population<dim> *dispersed = nullptr;
   };
 } // namespace Thalweg
 

@@ -67,6 +67,10 @@ namespace Thalweg
     void
     check_change() const;
 
+    /// Whether what the mesh does not see moves by itself.
+    bool
+    has_spray() const;
+
     /// That a tank that turns has no periodic boundaries around its axis.
     void
     check_turning(const Mesh<dim> &coarse) const;
@@ -84,10 +88,12 @@ namespace Thalweg
     /// "sign" or "distance"
     std::string particles_carry = "distance";
     /// In smallest cell sizes: greater distances are cut off there.
-    double                      distance_band = 1.;
-    SeedingParameters           seeding;
-    ConvectionParameters        convection;
-    PopulationParameters<dim>   population;
+    double                    distance_band = 1.;
+    SeedingParameters         seeding;
+    ConvectionParameters      convection;
+    PopulationParameters<dim> population;
+    /// "automatic", "ballistic" or "none"
+    std::string                 spray = "automatic";
     InterfaceParameters         interface;
     Choice<Projection<dim>>     projection;
     Choice<FluidSolver<dim>>    fluid_solver;

@@ -65,6 +65,20 @@ namespace Thalweg
       return population;
     }
 
+    /// Drops and bubbles, of which there may be none.
+    Population<dim> &
+    dispersed()
+    {
+      return dispersed_;
+    }
+
+    /// What moves them; nullptr where there can be none.
+    const DispersedPhase<dim> *
+    dispersed_phase() const
+    {
+      return dispersed_phase_.get();
+    }
+
     const NodeSpace<dim> &
     nodes() const
     {
@@ -84,15 +98,24 @@ namespace Thalweg
       return exchange->books();
     }
 
-    /// What particles carry of both fluids, with what waits at boundaries for
-    /// new ones, m^dim. Collective.
+    /// What particles, drops and bubbles carry of both fluids, with what
+    /// waits at boundaries for new ones, m^dim. Collective.
     FluidVolumes
     carried_volumes() const;
 
+    /// What drops and bubbles carry, m^dim. Collective.
+    FluidVolumes
+    dispersed_volumes() const;
+
   private:
-    /// The same in each owned cell.
+    /// The same in each owned cell, but for drops and bubbles.
     std::vector<FluidVolumes>
     volumes_of_cells() const;
+
+    /// What the mesh ought to show of both fluids in each owned cell: drops
+    /// are a part of the second.
+    std::vector<FluidVolumes>
+    volumes_to_show() const;
 
     /// The largest level set value that particles carry, m. Collective.
     double
@@ -115,11 +138,13 @@ namespace Thalweg
     Mesh<dim>                                 &mesh;
     BoundaryConditions<dim>                    conditions;
     Population<dim>                            population;
+    Population<dim>                            dispersed_;
     double                                     carried_distance = 0;
     std::unique_ptr<NodeSpace<dim>>            space;
     std::unique_ptr<BoundaryNodes<dim>>        boundary;
     std::unique_ptr<StreamlineConvection<dim>> convection;
     std::unique_ptr<PathConvection<dim>>       paths;
+    std::unique_ptr<DispersedPhase<dim>>       dispersed_phase_;
     std::unique_ptr<PopulationControl<dim>>    control;
     std::unique_ptr<BoundaryExchange<dim>>     exchange;
     std::unique_ptr<PhaseField<dim>>           phase;

@@ -26,7 +26,7 @@ namespace Thalweg
   private:
     Archive                 values;
     std::vector<Vector>     fields;
-    PopulationSnapshot<dim> particles;
+    PopulationSnapshot<dim> particles, dispersed;
   };
 } // namespace Thalweg
 

@@ -8,6 +8,7 @@
 #include <thalweg/particles/population_snapshot.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,12 +34,15 @@ namespace Thalweg
   class MeshTransfer
   {
   public:
-    /// @param mesh, population must outlive the object
-    MeshTransfer(Mesh<dim> &mesh, Population<dim> &population);
+    /// All populations that travel, always in the same order.
+    using Populations = std::vector<std::reference_wrapper<Population<dim>>>;
+
+    /// @param mesh, populations must outlive the object
+    MeshTransfer(Mesh<dim> &mesh, const Populations &populations);
 
     /**
      * @brief Attaches @p state and the particles to the cells of the mesh,
-     * which then may change; the population is empty until unpack().
+     * which then may change; the populations are empty until unpack().
      * Collective.
      *
      * @param state the spaces of its fields must not go before the mesh has
@@ -48,7 +52,7 @@ namespace Thalweg
     pack(const State<dim> &state);
 
     /**
-     * @brief Gives @p state and the population what belongs to the cells of
+     * @brief Gives @p state and the populations what belongs to the cells of
      * the new mesh. Collective.
      *
      * To be called when the mesh's graph and the spaces of @p state are those
@@ -63,7 +67,7 @@ namespace Thalweg
     pack_to_save(const State<dim> &state);
 
     /**
-     * @brief Gives @p state and the population what pack_to_save() returned,
+     * @brief Gives @p state and the populations what pack_to_save() returned,
      * after keep(). Collective.
      * @param cells of this rank
      * @throws dealii::ExcMessage if they do not hold what they must
@@ -80,6 +84,8 @@ namespace Thalweg
     using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
     using Bytes        = std::vector<char>;
     using ByteRange    = boost::iterator_range<typename Bytes::const_iterator>;
+    /// The particles of each owned cell.
+    using Received = std::vector<std::vector<ParticleRecord<dim>>>;
 
     /// Takes what is to be packed.
     void
@@ -127,18 +133,20 @@ namespace Thalweg
     void
     unpack_particle(ParticleRecord<dim>    particle,
                     const CellIterator    &cell,
-                    const Compat::CellFate fate);
+                    const Compat::CellFate fate,
+                    Received              &received) const;
 
     Mesh<dim>                     &mesh;
-    Population<dim>               &population;
+    const Populations              populations;
     std::vector<CarriedField<dim>> fields;
     /// The names of the fields, and how many values a cell has of each.
     std::vector<std::string>  names;
     std::vector<unsigned int> n_values;
     /// Ghosted copies of the fields that were packed.
-    std::vector<Vector>                           values;
-    PopulationSnapshot<dim>                       particles;
-    std::vector<std::vector<ParticleRecord<dim>>> received;
+    std::vector<Vector> values;
+    /// Of each population what was packed, and what has come.
+    std::vector<PopulationSnapshot<dim>> particles;
+    std::vector<Received>                received;
     unsigned int handle = dealii::numbers::invalid_unsigned_int;
   };
 } // namespace Thalweg

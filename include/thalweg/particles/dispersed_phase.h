@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_particles_dispersed_phase_h
+#define thalweg_particles_dispersed_phase_h
+
+#include <thalweg/particles/dispersed_field.h>
+#include <thalweg/particles/particle_journeys.h>
+#include <thalweg/particles/particle_storage.h>
+#include <thalweg/particles/population_control.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace Thalweg
+{
+  /**
+   * @brief What is finer than the mesh: drops of the first fluid where the
+   * mesh shows the second, and bubbles of the second where it shows the first
+   * (seed 000, 7.7).
+   *
+   * A particle becomes one of them farther from the interface than half of
+   * its cell's shortest edge, on the wrong side. It then takes no part in the
+   * projections and nothing from the mesh, but moves as DispersedMotion says
+   * until it is back in its own fluid, or in a cell that it and its like
+   * fill. Walls take the normal velocity from drops.
+   *
+   * A drop's velocity is that at the time of its place.
+   */
+  template <int dim>
+  class DispersedPhase
+  {
+  public:
+    /**
+     * @param population of drops and bubbles; must outlive the object
+     * @param parameters, walls as those of StreamlineConvection
+     * @param level_set_is_sign whether level sets are between -1 and 1, or
+     *   distances
+     */
+    DispersedPhase(Population<dim>            &population,
+                   const ConvectionParameters &parameters,
+                   const std::map<dealii::types::boundary_id, WallKind> &walls,
+                   const bool level_set_is_sign);
+
+    /**
+     * @brief Lets drops and bubbles go on for the time @p dt. Collective.
+     * @param level_set cell by cell at the start, negative in the first fluid
+     * @param velocity of the mesh cell by cell, m/s
+     * @param motion of them
+     * @param velocity_ahead by what the velocities of particles are ahead of
+     *   the start, in s
+     * @param landed gets those that have met their own fluid, with the
+     *   velocity of particles and the time that they have left
+     */
+    ConvectionReport
+    move(const CellField<dim, 1>       &level_set,
+         const CellVelocity<dim>       &velocity,
+         const DispersedMotion<dim>    &motion,
+         const double                   dt,
+         const double                   velocity_ahead,
+         std::vector<NewParticle<dim>> &landed);
+
+    /**
+     * @brief Takes those particles that the mesh does not see, and gives back
+     * drops and bubbles that fill their cells. Collective.
+     * @param particles whose velocities are ahead of their places by
+     *   @p velocity_ahead, in s
+     * @param level_set cell by cell where they are now
+     * @param motion of drops
+     */
+    void
+    exchange(Population<dim>            &particles,
+             const CellField<dim, 1>    &level_set,
+             const DispersedMotion<dim> &motion,
+             const double                velocity_ahead);
+
+    /// Merges those that are too many in a cell. Collective.
+    void
+    limit(const PopulationControl<dim> &control);
+
+    /// What is dispersed of both fluids, m^dim. Collective.
+    std::array<double, 2>
+    volumes() const;
+
+  private:
+    using Iterator = typename Population<dim>::Iterator;
+
+    /// Particles of one population that go to the other.
+    struct Migration
+    {
+      std::vector<Iterator>     particles;
+      std::vector<unsigned int> cells;
+
+      void
+      add(const Iterator &particle, const unsigned int cell)
+      {
+        particles.push_back(particle);
+        cells.push_back(cell);
+      }
+    };
+
+    /// Those of the particles of an owned cell that the mesh does not see.
+    void
+    find_unseen(const Population<dim>   &particles,
+                const unsigned int       cell,
+                const CellField<dim, 1> &level_set,
+                Migration               &migration) const;
+
+    /// Of which fluids particles, drops and bubbles fill a cell.
+    std::array<bool, 2>
+    fill(const Population<dim> &particles, const unsigned int cell) const;
+
+    /// Takes particles out of their population. @param ahead is added to the
+    /// time of the velocities of drops, s
+    static std::vector<ParticleRecord<dim>>
+    take(Population<dim>            &population,
+         const Migration            &migration,
+         const DispersedMotion<dim> &motion,
+         const double                ahead);
+
+    /// Puts them into the other one.
+    static void
+    give(Population<dim>                        &population,
+         const Migration                        &migration,
+         const std::vector<ParticleRecord<dim>> &records);
+
+    Population<dim>   &population;
+    const WalkSettings settings;
+    const bool         level_set_is_sign;
+  };
+} // namespace Thalweg
+
+#endif

@@ -100,8 +100,8 @@ namespace Thalweg
       for (const auto &particle :
            solution.population.handler().particles_in_cell(
              solution.mesh.graph().iterator(c)))
-        if ((particle.get_properties()[Population<dim>::level_set_offset] <
-             0.) != is_negative)
+        if ((Population<dim>::fluid_of(particle.get_properties()) == 0) !=
+            is_negative)
           include(box, particle.get_location());
       return box;
     }

@@ -132,18 +132,39 @@ namespace Thalweg
 
 
   template <int dim>
-  CellField<dim, 1>
-  PhaseField<dim>::make_distance()
+  void
+  PhaseField<dim>::find_distance(const Vector &level_set)
   {
+    phi.copy_locally_owned_data_from(level_set);
+    space.interpolate(phi, 1);
+    unshifted_volume = domain_volume;
+    if (fluids.size() == 1)
+      return;
     CellField<dim, 1> values;
     space.copy_to_cells(phi, values);
     unshifted_volume = volume_with_shift(values, 0.);
     if (parameters.redistance)
+      redistance.apply(phi);
+  }
+
+
+
+  template <int dim>
+  void
+  PhaseField<dim>::hold_volume(const bool hold_volume)
+  {
+    last_shift     = 0;
+    debts          = {};
+    shifted_volume = domain_volume;
+    if (fluids.size() == 2)
       {
-        redistance.apply(phi);
+        CellField<dim, 1> values;
         space.copy_to_cells(phi, values);
+        if (hold_volume && parameters.hold_volume)
+          correct(values);
+        shifted_volume = volume_with_shift(values, 0.);
       }
-    return values;
+    build_cells();
   }
 
 
@@ -152,19 +173,8 @@ namespace Thalweg
   void
   PhaseField<dim>::rebuild(const Vector &level_set, const bool hold_volume)
   {
-    phi.copy_locally_owned_data_from(level_set);
-    space.interpolate(phi, 1);
-    last_shift       = 0;
-    debts            = {};
-    unshifted_volume = shifted_volume = domain_volume;
-    if (fluids.size() == 2)
-      {
-        CellField<dim, 1> values = make_distance();
-        if (hold_volume && parameters.hold_volume)
-          correct(values);
-        shifted_volume = volume_with_shift(values, 0.);
-      }
-    build_cells();
+    find_distance(level_set);
+    this->hold_volume(hold_volume);
   }
 
 

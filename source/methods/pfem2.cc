@@ -199,9 +199,10 @@ namespace Thalweg
     if (parts->dispersed == nullptr)
       return report;
     parts->forces.set_time(time + .5 * dt);
+    parts->space.copy_to_cells(parts->phase.level_set(), cell_distance);
     std::vector<NewParticle<dim>> landed;
     report.add(
-      parts->dispersed->move(cell_level_set,
+      parts->dispersed->move(cell_distance,
                              cell_velocity,
                              dispersed_motion(parts->forces, parts->fluids),
                              dt,
@@ -223,9 +224,9 @@ namespace Thalweg
     dealii::TimerOutput::Scope scope(parts->context.timers, "population");
     const double               end = time + dt;
     parts->forces.set_time(end);
-    parts->space.copy_to_cells(level_set, cell_level_set);
+    parts->space.copy_to_cells(parts->phase.level_set(), cell_distance);
     parts->dispersed->exchange(parts->population,
-                               cell_level_set,
+                               cell_distance,
                                dispersed_motion(parts->forces, parts->fluids),
                                time_of_particles(time, dt) - end);
   }
@@ -365,10 +366,14 @@ namespace Thalweg
       dealii::TimerOutput::Scope scope(context.timers, "projection");
       project_particles(); // (69)
     }
+    {
+      dealii::TimerOutput::Scope scope(context.timers, "interface");
+      phase.find_distance(level_set);
+    }
     disperse(time, dt);
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
-      phase.rebuild(level_set);
+      phase.hold_volume();
     }
     const double end = end_of_acceleration(time + dt, dt);
     conditions.set_time(end);

@@ -264,8 +264,11 @@ namespace Thalweg
                 particle.properties[Population<dim>::velocity_offset + d] +=
                   shape[v] * cell_velocity[face.cell][dim * v + d];
             const double value = inflow.value(face, on_face);
-            particle.properties[Population<dim>::level_set_offset] =
-              (value < 0) == (fluid == 0) ? value : -value;
+            Population<dim>::set_level_set(particle.properties,
+                                           (value < 0) == (fluid == 0)
+                                             ? value
+                                             : -value);
+            particle.properties[Population<dim>::fluid_offset]  = fluid;
             particle.properties[Population<dim>::volume_offset] = volume;
             particles.push_back(particle);
           }

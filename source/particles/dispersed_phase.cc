@@ -96,11 +96,9 @@ namespace Thalweg
   DispersedPhase<dim>::DispersedPhase(
     Population<dim>                                      &population,
     const ConvectionParameters                           &parameters,
-    const std::map<dealii::types::boundary_id, WallKind> &walls,
-    const bool                                            level_set_is_sign)
+    const std::map<dealii::types::boundary_id, WallKind> &walls)
     : population(population)
     , settings(walk_settings(parameters, walls))
-    , level_set_is_sign(level_set_is_sign)
   {}
 
 
@@ -130,7 +128,7 @@ namespace Thalweg
         double &own = particle.properties[Population<dim>::level_set_offset];
         const double phi =
           Q1::value<dim>(level_set[particle.cell], particle.reference);
-        if (own < 0)
+        if (Population<dim>::fluid_of(particle.properties) == 0)
           {
             own = std::min(own, phi);
             accelerate<dim>(particle.properties,
@@ -162,8 +160,7 @@ namespace Thalweg
   {
     const auto  &graph  = particles.mesh().graph();
     const auto  &values = level_set[cell];
-    const double far =
-      level_set_is_sign ? beyond : beyond * graph.cell(cell).edges().first;
+    const double far    = beyond * graph.cell(cell).edges().first;
     const auto [least, most] =
       std::minmax_element(values.begin(), values.end());
     if (*least >= -far && *most <= far)

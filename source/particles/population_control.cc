@@ -294,8 +294,7 @@ namespace Thalweg
         std::copy(feet[i].velocity.begin(),
                   feet[i].velocity.end(),
                   properties.begin() + Population<dim>::velocity_offset);
-        properties[Population<dim>::level_set_offset] =
-          level_set_value(feet[i]);
+        Population<dim>::set_level_set(properties, level_set_value(feet[i]));
         properties[Population<dim>::volume_offset] = 0.;
         handler.insert_particle(
           mesh.mapping().transform_unit_to_real_cell(cell, reference),

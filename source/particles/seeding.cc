@@ -155,8 +155,8 @@ namespace Thalweg
         velocity.vector_value(particle.position, value);
         for (unsigned int d = 0; d < dim; ++d)
           particle.properties[Population<dim>::velocity_offset + d] = value[d];
-        particle.properties[Population<dim>::level_set_offset] =
-          level_set.value(particle.position);
+        Population<dim>::set_level_set(particle.properties,
+                                       level_set.value(particle.position));
         particle.properties[Population<dim>::volume_offset] = 0.;
         particles.push_back(particle);
       }
@@ -189,11 +189,10 @@ namespace Thalweg
                   first_id + fluid,
                   place_of_fluid<dim>(geometry, level_set, fluid));
               // The cut may see a part that the function just touches.
-              auto &phi =
-                particles.back().properties[Population<dim>::level_set_offset];
-              if (Population<dim>::fluid_of(particles.back().properties) !=
-                  fluid)
-                phi = fluid == 0 ? -std::numeric_limits<double>::min() : 0.;
+              auto &last = particles.back().properties;
+              if (Population<dim>::fluid_of(last) != fluid)
+                Population<dim>::set_level_set(
+                  last, fluid == 0 ? -std::numeric_limits<double>::min() : 0.);
             }
         share_volumes<dim>(particles, volumes);
       }

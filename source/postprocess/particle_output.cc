@@ -19,7 +19,7 @@ namespace Thalweg
       std::vector<std::string>                 names(dim, "velocity");
       std::vector<DataComponentInterpretation> interpretations(
         dim, component_is_part_of_vector);
-      for (const char *name : {"level_set", "volume"})
+      for (const char *name : {"level_set", "volume", "fluid"})
         {
           names.push_back(name);
           interpretations.push_back(component_is_scalar);
@@ -73,11 +73,12 @@ namespace Thalweg
     };
   } // namespace
 
-  THALWEG_REGISTER(Postprocessor,
-                   ParticleOutput,
-                   "particles",
-                   "the particles with number, velocity, level set and volume, "
-                   "for ParaView; writes particles.pvd.")
+  THALWEG_REGISTER(
+    Postprocessor,
+    ParticleOutput,
+    "particles",
+    "the particles with number, velocity, level set, volume and fluid, "
+    "for ParaView; writes particles.pvd.")
   THALWEG_REGISTER(
     Postprocessor,
     DispersedOutput,

@@ -101,7 +101,9 @@ namespace Thalweg
     {
       if (property < dim)
         return std::string("velocity in ") + "xyz"[property];
-      return property == dim ? "level set" : "volume";
+      return property == dim       ? "level set"
+             : property == dim + 1 ? "volume"
+                                   : "fluid";
     }
 
 

@@ -37,9 +37,7 @@ namespace Thalweg
       return "";
     std::array<unsigned int, 2> is_there{};
     for (const auto &particle : population.handler())
-      is_there[particle.get_properties()[Population<dim>::level_set_offset] < 0
-                 ? 0
-                 : 1] = 1;
+      is_there[Population<dim>::fluid_of(particle.get_properties())] = 1;
     const MPI_Comm communicator =
       population.mesh().triangulation().get_communicator();
     for (const unsigned int fluid : {0, 1})

@@ -212,9 +212,7 @@ namespace Thalweg
       dispersed_phase_ =
         std::make_unique<DispersedPhase<dim>>(dispersed_,
                                               parameters.convection,
-                                              walls(),
-                                              parameters.particles_carry ==
-                                                "sign");
+                                              walls());
     control  = std::make_unique<PopulationControl<dim>>(parameters.population,
                                                        *convection,
                                                        inflow());

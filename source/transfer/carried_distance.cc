@@ -169,6 +169,8 @@ namespace Thalweg
               distances[v] = -distances[v];
               rates[v]     = -rates[v];
             }
+        const double farthest =
+          *std::max_element(distances.begin(), distances.end());
         for (auto &particle :
              population.handler().particles_in_cell(graph.iterator(c)))
           {
@@ -180,9 +182,12 @@ namespace Thalweg
                 r += shape[v] * rates[v];
                 d += shape[v] * distances[v];
               }
-            if (d > 0)
-              particle.get_properties()[Population<dim>::level_set_offset] *=
-                std::exp(dt * r / d);
+            double &own =
+              particle.get_properties()[Population<dim>::level_set_offset];
+            // What is much farther from its interface than from this one
+            // belongs to another.
+            if (d > 0 && (r < 0 || std::abs(own) <= 2. * farthest))
+              own *= std::exp(dt * r / d);
           }
       }
   }

@@ -46,7 +46,7 @@ namespace Thalweg
           const auto shape = Q1::values<dim>(particle.get_reference_location());
           const auto properties = particle.get_properties();
           const double density =
-            fluids.at(properties[Population<dim>::level_set_offset]).density;
+            fluids.of_particle(Population<dim>::fluid_of(properties)).density;
           for (unsigned int d = 0; d < dim; ++d)
             {
               double left = properties[Population<dim>::velocity_offset + d];

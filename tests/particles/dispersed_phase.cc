@@ -43,8 +43,8 @@ namespace
   {
     for (auto &particle : population.handler())
       {
-        particle.get_properties()[Population<dim>::level_set_offset] = -1e-3;
-        particle.get_properties()[Population<dim>::volume_offset]    = volume;
+        Population<dim>::set_level_set(particle.get_properties(), -1e-3);
+        particle.get_properties()[Population<dim>::volume_offset] = volume;
       }
   }
 
@@ -87,7 +87,7 @@ namespace
     const auto   before = all_states(drops);
     const double dt     = .2;
 
-    DispersedPhase<dim>           spray(drops, substeps("rk2", .5), {}, false);
+    DispersedPhase<dim>           spray(drops, substeps("rk2", .5), {});
     std::vector<NewParticle<dim>> landed;
     const auto                    report =
       spray.fly(no_water(mesh), falling<dim>(), dt, 0., landed)
@@ -132,7 +132,7 @@ namespace
     forward[dim - 1] = -3.;
     set_velocity<dim>(drops, constant(forward));
     const auto                    before = all_states(drops);
-    DispersedPhase<dim>           spray(drops, substeps("rk2", .25), {}, false);
+    DispersedPhase<dim>           spray(drops, substeps("rk2", .25), {});
     std::vector<NewParticle<dim>> landed;
     spray.fly(no_water(mesh), falling<dim>(), 1., 0., landed);
     for (const auto &[id, drop] : all_states(drops))
@@ -163,8 +163,8 @@ namespace
     const double volume = total_volume(drops);
     const auto   level =
       nodal_scalar<dim>(mesh, [](const auto &p) { return p[dim - 1] - .3; });
-    const auto          before = all_states(drops);
-    DispersedPhase<dim> spray(drops, substeps("rk2", .125), {}, false);
+    const auto                    before = all_states(drops);
+    DispersedPhase<dim>           spray(drops, substeps("rk2", .125), {});
     std::vector<NewParticle<dim>> landed;
     const double                  dt = 1., ahead = .5;
     spray.fly(level, falling<dim>(), dt, ahead, landed);
@@ -203,7 +203,7 @@ namespace
     const double volume = total_volume(particles);
     const auto   level =
       nodal_scalar<dim>(mesh, [](const auto &p) { return p[dim - 1] - .5; });
-    DispersedPhase<dim> spray(drops, substeps("rk2", .5), {}, false);
+    DispersedPhase<dim> spray(drops, substeps("rk2", .5), {});
     const auto          before = all_states(particles);
     spray.exchange(particles, level, falling<dim>(), -.5);
     EXPECT_NEAR(total_volume(particles) + spray.volume(), volume, 1e-15);

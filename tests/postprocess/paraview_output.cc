@@ -62,7 +62,8 @@ namespace
 
     const std::string cloud =
       written(directory + "/particles/particles_0000.0.vtu");
-    for (const std::string name : {"id", "velocity", "level_set", "volume"})
+    for (const std::string name :
+         {"id", "velocity", "level_set", "volume", "fluid"})
       EXPECT_NE(cloud.find("Name=\"" + name + "\""), std::string::npos) << name;
     if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
       {

@@ -74,8 +74,10 @@ namespace
           const auto shape = Q1::values<dim>(particle.get_reference_location());
           for (unsigned int v = 0; v < shape.size(); ++v)
             result.local_element(scene.space->nodes(c)[v]) +=
-              shape[v] *
-              scene.fluids.at(particle.get_properties()[dim]).density;
+              shape[v] * scene.fluids
+                           .of_particle(Thalweg::Population<dim>::fluid_of(
+                             particle.get_properties()))
+                           .density;
         }
     scene.space->fold(result, 1);
     return result;
@@ -90,7 +92,10 @@ namespace
     dealii::Tensor<1, dim> sum;
     for (const auto &particle : scene.population->handler())
       for (unsigned int d = 0; d < dim; ++d)
-        sum[d] += scene.fluids.at(particle.get_properties()[dim]).density *
+        sum[d] += scene.fluids
+                    .of_particle(Thalweg::Population<dim>::fluid_of(
+                      particle.get_properties()))
+                    .density *
                   particle.get_properties()[d];
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
@@ -118,7 +123,9 @@ namespace
     set_particles(scene, [](const auto &x, const auto &properties) {
       for (unsigned int d = 0; d < dim; ++d)
         properties[d] = std::sin(90. * x[0] + 70. * x[dim - 1] + d);
-      properties[dim] = std::cos(50. * x[1] + 30. * x[0]);
+      Thalweg::Population<dim>::set_level_set(properties,
+                                              std::cos(50. * x[1] +
+                                                       30. * x[0]));
     });
   }
 } // namespace
@@ -136,7 +143,8 @@ TYPED_TEST(ProjectionMpi, KeepsConstantsWhateverTheDensities)
         set_particles(scene, [&](const auto &x, const auto &properties) {
           for (unsigned int d = 0; d < dim; ++d)
             properties[d] = 1. + d;
-          properties[dim] = sign * (sign < 0 ? .3 : x[0] + .1);
+          Thalweg::Population<dim>::set_level_set(
+            properties, sign * (sign < 0 ? .3 : x[0] + .1));
         });
         Vector velocity =
           scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
@@ -193,7 +201,7 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
   set_particles(scene, [](const auto &x, const auto &properties) {
     const bool heavy = std::lround(std::floor(16. * x[0])) % 2 == 0;
     properties[0]    = heavy ? 1. : 0.;
-    properties[dim]  = heavy ? -1. : 1.;
+    Thalweg::Population<dim>::set_level_set(properties, heavy ? -1. : 1.);
   });
   Vector velocity =
     scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
@@ -245,7 +253,7 @@ TYPED_TEST(LeastSquaresMpi, AreExactForPlanes)
       };
       fill(*scene);
       set_particles(*scene, [&](const auto &x, const auto &properties) {
-        properties[dim] = plane(x);
+        Thalweg::Population<dim>::set_level_set(properties, plane(x));
       });
       Vector velocity =
         scene->velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
@@ -270,8 +278,8 @@ TYPED_TEST(IncrementMpi, ParticlesGetTheInterpolatedDifference)
   Scene<dim>    scene(unit_box<dim>(4), Meshes::distort_and_refine<dim>);
   fill(scene);
   set_particles(scene, [](const auto &x, const auto &properties) {
-    properties[0]   = 5. * x[1];
-    properties[dim] = x[0];
+    properties[0] = 5. * x[1];
+    Thalweg::Population<dim>::set_level_set(properties, x[0]);
   });
   const auto old_velocity = scene.velocity(
     [](const auto &p) { return 3. * dealii::Tensor<1, dim>(p); });

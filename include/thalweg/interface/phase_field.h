@@ -50,6 +50,15 @@ namespace Thalweg
     void
     rebuild(const Vector &level_set, const bool hold_volume = true);
 
+    /// The first half of rebuild(): level_set() is the distance then, and not
+    /// yet shifted.
+    void
+    find_distance(const Vector &level_set);
+
+    /// The second half. @param hold_volume as for rebuild()
+    void
+    hold_volume(const bool hold_volume = true);
+
     /// The volume that fluid 0 is to have in all, m^dim, if nothing carries
     /// it.
     double target_volume = 0;
@@ -141,10 +150,6 @@ namespace Thalweg
     }
 
   private:
-    /// The level set cell by cell; signed distance if the parameter says so.
-    CellField<dim, 1>
-    make_distance();
-
     double
     volume_with_shift(const CellField<dim, 1> &values, const double c) const;
 

@@ -59,6 +59,14 @@ namespace Thalweg
       return index == 0 ? -1. : 1.;
     }
 
+    /// The one that particles of the given number consist of: a single fluid
+    /// has no numbers.
+    const Fluid &
+    of_particle(const unsigned int index) const
+    {
+      return fluids[number == 1 ? 0 : index];
+    }
+
     /// The fluid where the level set is @p phi.
     const Fluid &
     at(const double phi) const

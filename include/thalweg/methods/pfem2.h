@@ -76,8 +76,8 @@ namespace Thalweg
     double
     time_of_particles(const double time, const double dt) const;
 
-    /// Finds out which particles the projected level set does not see at
-    /// @p time + @p dt: they are drops and bubbles from now on.
+    /// Finds out which particles the level set does not see at @p time +
+    /// @p dt: they are drops and bubbles from now on.
     void
     disperse(const double time, const double dt);
 
@@ -128,7 +128,8 @@ namespace Thalweg
     Vector            rate;
     Vector            level_set;
     CellVelocity<dim> cell_velocity;
-    CellField<dim, 1> cell_level_set;
+    CellField<dim, 1> cell_level_set; ///< that new particles take
+    CellField<dim, 1> cell_distance;  ///< that the mesh shows
     /// The times of the flow's velocity and of the old one.
     double flow_time     = 0;
     double old_flow_time = 0;

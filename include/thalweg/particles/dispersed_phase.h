@@ -33,17 +33,15 @@ namespace Thalweg
     /**
      * @param population of drops and bubbles; must outlive the object
      * @param parameters, walls as those of StreamlineConvection
-     * @param level_set_is_sign whether level sets are between -1 and 1, or
-     *   distances
      */
     DispersedPhase(Population<dim>            &population,
                    const ConvectionParameters &parameters,
-                   const std::map<dealii::types::boundary_id, WallKind> &walls,
-                   const bool level_set_is_sign);
+                   const std::map<dealii::types::boundary_id, WallKind> &walls);
 
     /**
      * @brief Lets drops and bubbles go on for the time @p dt. Collective.
-     * @param level_set cell by cell at the start, negative in the first fluid
+     * @param level_set cell by cell at the start: the distance from the
+     *   interface, negative in the first fluid
      * @param velocity of the mesh cell by cell, m/s
      * @param motion of them
      * @param velocity_ahead by what the velocities of particles are ahead of
@@ -64,7 +62,7 @@ namespace Thalweg
      * drops and bubbles that fill their cells. Collective.
      * @param particles whose velocities are ahead of their places by
      *   @p velocity_ahead, in s
-     * @param level_set cell by cell where they are now
+     * @param level_set the same where they are now
      * @param motion of drops
      */
     void
@@ -125,7 +123,6 @@ namespace Thalweg
 
     Population<dim>   &population;
     const WalkSettings settings;
-    const bool         level_set_is_sign;
   };
 } // namespace Thalweg
 

@@ -18,10 +18,11 @@ namespace Thalweg
    *
    * Properties of a particle, in this order: its velocity (dim components,
    * m/s), its level set value, negative in the denser fluid (dimension of
-   * length, or just a sign, as the chosen interface representation says), and
-   * the volume of fluid that it carries (m^dim; zero is allowed: such a
-   * particle only marks the fluid). Reference coordinates are always those in
-   * the particle's cell.
+   * length, or just a sign, as the chosen interface representation says), the
+   * volume of fluid that it carries (m^dim; zero is allowed: such a particle
+   * only marks the fluid), and the number of that fluid. It keeps its fluid,
+   * whatever becomes of the level set. Reference coordinates are always those
+   * in the particle's cell.
    */
   template <int dim>
   class Population
@@ -30,7 +31,8 @@ namespace Thalweg
     static constexpr unsigned int velocity_offset  = 0;
     static constexpr unsigned int level_set_offset = dim;
     static constexpr unsigned int volume_offset    = dim + 1;
-    static constexpr unsigned int n_properties     = dim + 2;
+    static constexpr unsigned int fluid_offset     = dim + 2;
+    static constexpr unsigned int n_properties     = dim + 3;
 
     using Handler  = dealii::Particles::ParticleHandler<dim>;
     using Iterator = typename Handler::particle_iterator;
@@ -42,7 +44,16 @@ namespace Thalweg
     static unsigned int
     fluid_of(const Properties &properties)
     {
-      return properties[level_set_offset] < 0 ? 0 : 1;
+      return properties[fluid_offset] == 0. ? 0 : 1;
+    }
+
+    /// Gives a particle a level set value and the fluid that this says.
+    template <typename Properties>
+    static void
+    set_level_set(Properties &&properties, const double value)
+    {
+      properties[level_set_offset] = value;
+      properties[fluid_offset]     = value < 0 ? 0. : 1.;
     }
 
     Handler &

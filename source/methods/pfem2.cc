@@ -160,12 +160,35 @@ namespace Thalweg
 
 
   template <int dim>
+  bool
+  Pfem2<dim>::carries_distances() const
+  {
+    return parts->phase.is_distance() && parts->projection.takes_distances();
+  }
+
+
+
+  template <int dim>
+  void
+  Pfem2<dim>::keep_shift()
+  {
+    const Vector *shift = parts->phase.shifts_at_nodes();
+    if (shift != nullptr && carries_distances())
+      shift_level_sets(parts->population,
+                       parts->space,
+                       *shift,
+                       getenv("KAPPA") ? atof(getenv("KAPPA")) : .1);
+  }
+
+
+
+  template <int dim>
   void
   Pfem2<dim>::keep_distance(const double dt)
   {
     // New particles take the level set without the shift, as the others
     // carry it: else the shifts of all steps would add up in them.
-    if (!parts->phase.is_distance() || !parts->projection.takes_distances())
+    if (!carries_distances())
       {
         parts->space.copy_to_cells(level_set, cell_level_set);
         return;
@@ -374,6 +397,7 @@ namespace Thalweg
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
       phase.hold_volume();
+      keep_shift();
     }
     const double end = end_of_acceleration(time + dt, dt);
     conditions.set_time(end);

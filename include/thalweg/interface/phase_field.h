@@ -149,6 +149,15 @@ namespace Thalweg
       return last_shift;
     }
 
+    /// The last shifts at the nodes, ghosted; nullptr if nothing was shifted
+    /// body by body.
+    const Vector *
+    shifts_at_nodes() const
+    {
+      return correction && last_shift != 0 ? &correction->shifts_at_nodes()
+                                           : nullptr;
+    }
+
   private:
     double
     volume_with_shift(const CellField<dim, 1> &values, const double c) const;

@@ -55,6 +55,13 @@ namespace Thalweg
       return largest;
     }
 
+    /// The shifts at the nodes, ghosted; of no meaning if shift() is zero.
+    const Vector &
+    shifts_at_nodes() const
+    {
+      return field;
+    }
+
     /// The number of bodies of each fluid.
     const std::array<unsigned int, 2> &
     n_bodies() const

@@ -81,6 +81,14 @@ namespace Thalweg
     void
     disperse(const double time, const double dt);
 
+    /// What particles carry takes a part of the shift of the level set.
+    void
+    keep_shift();
+
+    /// Whether particles carry distances that the flow and shifts change.
+    bool
+    carries_distances() const;
+
     /// V* of the particles before they move.
     void
     project_before_convection();

@@ -80,6 +80,18 @@ namespace Thalweg
                 const Vector         &new_velocity,
                 const Vector         &velocity_star,
                 const double          factor = 1.);
+
+  /**
+   * @brief Adds @p factor times a shift of the level set to what particles
+   * carry, so that it lasts. Their fluids stay, and their places.
+   * @param shift at the nodes, ghosted, in units of the level set
+   */
+  template <int dim>
+  void
+  shift_level_sets(Population<dim>      &population,
+                   const NodeSpace<dim> &space,
+                   const Vector         &shift,
+                   const double          factor);
 } // namespace Thalweg
 
 #endif

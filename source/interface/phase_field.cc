@@ -2,6 +2,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/mesh/round_off.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -153,6 +154,10 @@ namespace Thalweg
   PhaseField<dim>::rebuild(const Vector &level_set, const bool hold_volume)
   {
     phi.copy_locally_owned_data_from(level_set);
+    for (unsigned int n = 0; n < phi.locally_owned_size(); ++n)
+      phi.local_element(n) = without_round_off(phi.local_element(n),
+                                               shortest_edge,
+                                               space.position(n));
     space.interpolate(phi, 1);
     last_shift       = 0;
     debts            = {};

@@ -81,7 +81,7 @@ namespace Thalweg
       Corners<dim> box     = nothing<dim>();
       for (const Facet<dim> &facet : facets(patch))
         for (const auto &corner : facet.corners)
-          include(box, corner);
+          include(box, facet.origin + corner);
       return box;
     }
 

@@ -5,6 +5,7 @@
 #include <thalweg/fluid/cell_projection.h>
 #include <thalweg/fluid/pressure_system.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,10 +75,16 @@ namespace Thalweg
     space.initialize_velocity(change);
     find_rigid_cells();
     for (unsigned int c = 0; c < gradients.size(); ++c)
-      domain_measure += graph.cell(c).measure;
-    domain_measure =
-      dealii::Utilities::MPI::sum(domain_measure,
-                                  outflow.get_mpi_communicator());
+      {
+        const auto &cell = graph.cell(c);
+        domain_measure += cell.measure;
+        edge_round_off =
+          std::max(edge_round_off,
+                   coordinate_round_off(cell.vertices[0]) / cell.edges().first);
+      }
+    const MPI_Comm communicator = outflow.get_mpi_communicator();
+    domain_measure = dealii::Utilities::MPI::sum(domain_measure, communicator);
+    edge_round_off = dealii::Utilities::MPI::max(edge_round_off, communicator);
   }
 
 
@@ -219,7 +226,8 @@ namespace Thalweg
         sum += flux * flux;
       }
     sum = dealii::Utilities::MPI::sum(sum, outflow.get_mpi_communicator());
-    return 10. * std::numeric_limits<double>::epsilon() * std::sqrt(sum);
+    return (10. * std::numeric_limits<double>::epsilon() + edge_round_off) *
+           std::sqrt(sum);
   }
 
 

@@ -13,13 +13,13 @@ namespace Thalweg
 {
   namespace
   {
-    /// A point of the contour, and the faces of the cell that it lies on, bit
-    /// by bit.
+    /// A point of the contour by its way from the first corner of the cell, and
+    /// the faces of the cell that it lies on, bit by bit.
     template <int dim>
     struct Zero
     {
-      dealii::Point<dim> position;
-      unsigned int       faces;
+      dealii::Tensor<1, dim> way;
+      unsigned int           faces;
     };
 
 
@@ -28,9 +28,7 @@ namespace Thalweg
     /// circular order.
     template <int dim>
     std::vector<Zero<dim>>
-    zeros(const ContourPatch<dim>        &patch,
-          const SimplexCut::Simplex<dim> &simplex,
-          const unsigned int              s)
+    zeros(const SimplexCut::Simplex<dim> &simplex, const unsigned int s)
     {
       const auto            &division = Q1::Division<dim>::instance();
       const auto            &phi      = simplex.phi;
@@ -41,9 +39,7 @@ namespace Thalweg
             {
               const auto edge = simplex.corners[j] - simplex.corners[i];
               Zero<dim>  zero;
-              zero.position = patch.vertices[0] +
-                              (simplex.corners[i] - dealii::Point<dim>()) +
-                              phi[i] / (phi[i] - phi[j]) * edge;
+              zero.way = simplex.corners[i] + phi[i] / (phi[i] - phi[j]) * edge;
               zero.faces = division.faces[division.corners[s][j]];
               if (phi[j] > 0)
                 zero.faces &= division.faces[division.corners[s][i]];
@@ -75,11 +71,12 @@ namespace Thalweg
     make_facet(const std::array<Zero<dim>, dim> &zeros,
                const ContourPatch<dim>          &patch)
     {
-      Facet<dim>   facet;
+      Facet<dim> facet;
+      facet.origin     = patch.vertices[0];
       unsigned int all = patch.boundary_faces;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          facet.corners[i] = zeros[i].position;
+          facet.corners[i] = zeros[i].way;
           all &= zeros[i].faces;
         }
       // A facet that lies in a face of the boundary as a whole does not go
@@ -120,7 +117,7 @@ namespace Thalweg
     std::vector<Facet<dim>> result;
     for (unsigned int s = 0; s < simplices.size(); ++s)
       {
-        const auto points = zeros<dim>(patch, simplices[s], s);
+        const auto points = zeros<dim>(simplices[s], s);
         for (unsigned int last = dim - 1; last < points.size(); ++last)
           {
             std::array<Zero<dim>, dim> corners;
@@ -167,6 +164,8 @@ namespace Thalweg
   Contour<dim>::ball_around(const std::vector<Facet<dim>> &of_patch) const
   {
     Ball ball;
+    if (!of_patch.empty())
+      ball.origin = of_patch.front().origin;
     for (const auto &facet : of_patch)
       for (const auto &corner : facet.corners)
         ball.center += corner / (dim * static_cast<double>(of_patch.size()));
@@ -174,7 +173,7 @@ namespace Thalweg
       for (const auto &corner : facet.corners)
         ball.radius = facet.open_sides != 0
                         ? std::numeric_limits<double>::infinity()
-                        : std::max(ball.radius, ball.center.distance(corner));
+                        : std::max(ball.radius, (corner - ball.center).norm());
     return ball;
   }
 
@@ -310,8 +309,7 @@ namespace Thalweg
                              const dealii::Point<dim> &x,
                              FacetDistance            &nearest) const
   {
-    if (balls[patch].center.distance(x) - balls[patch].radius >=
-        nearest.distance)
+    if (balls[patch].distance(x) >= nearest.distance)
       return;
     for (unsigned int f = first_facet[patch]; f < first_facet[patch + 1]; ++f)
       if (distance_bound(all_facets[f], x) < nearest.distance)
@@ -331,9 +329,8 @@ namespace Thalweg
                                 const FacetDistance      &nearest,
                                 std::vector<Facet<dim>>  &facets) const
   {
-    constexpr double round_off = 1e-9;
-    const double     limit     = (1. + round_off) * nearest.distance;
-    if (balls[patch].center.distance(x) - balls[patch].radius > limit)
+    const double limit = (1. + same_distance) * nearest.distance;
+    if (balls[patch].distance(x) > limit)
       return;
     for (unsigned int f = first_facet[patch]; f < first_facet[patch + 1]; ++f)
       if (distance_bound(all_facets[f], x) <= limit &&

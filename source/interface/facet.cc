@@ -10,9 +10,9 @@ namespace Thalweg
   namespace
   {
     double
-    square_distance_from_segment(const dealii::Point<3> &a,
-                                 const dealii::Point<3> &b,
-                                 const dealii::Point<3> &x)
+    square_distance_from_segment(const dealii::Tensor<1, 3> &a,
+                                 const dealii::Tensor<1, 3> &b,
+                                 const dealii::Tensor<1, 3> &x)
     {
       const auto   edge          = b - a;
       const double length_square = edge.norm_square();
@@ -35,7 +35,7 @@ namespace Thalweg
 
 
     Foot
-    foot(const Facet<2> &facet, const dealii::Point<2> &x)
+    foot(const Facet<2> &facet, const dealii::Tensor<1, 2> &x)
     {
       const auto &[a, b]  = facet.corners;
       const auto   edge   = b - a;
@@ -54,7 +54,7 @@ namespace Thalweg
 
 
     Foot
-    foot(const Facet<3> &facet, const dealii::Point<3> &x)
+    foot(const Facet<3> &facet, const dealii::Tensor<1, 3> &x)
     {
       const auto &corners = facet.corners;
       const auto  normal =
@@ -78,16 +78,18 @@ namespace Thalweg
 
 
     double
-    square_distance_from_sides(const Facet<2> &facet, const dealii::Point<2> &x)
+    square_distance_from_sides(const Facet<2>             &facet,
+                               const dealii::Tensor<1, 2> &x)
     {
-      return std::min(facet.corners[0].distance_square(x),
-                      facet.corners[1].distance_square(x));
+      return std::min((x - facet.corners[0]).norm_square(),
+                      (x - facet.corners[1]).norm_square());
     }
 
 
 
     double
-    square_distance_from_sides(const Facet<3> &facet, const dealii::Point<3> &x)
+    square_distance_from_sides(const Facet<3>             &facet,
+                               const dealii::Tensor<1, 3> &x)
     {
       const auto &[a, b, c] = facet.corners;
       return std::min({square_distance_from_segment(a, b, x),
@@ -98,19 +100,19 @@ namespace Thalweg
 
 
     double
-    distance_from_side(const Facet<2>         &facet,
-                       const unsigned int      i,
-                       const dealii::Point<2> &x)
+    distance_from_side(const Facet<2>             &facet,
+                       const unsigned int          i,
+                       const dealii::Tensor<1, 2> &x)
     {
-      return facet.corners[1 - i].distance(x);
+      return (x - facet.corners[1 - i]).norm();
     }
 
 
 
     double
-    distance_from_side(const Facet<3>         &facet,
-                       const unsigned int      i,
-                       const dealii::Point<3> &x)
+    distance_from_side(const Facet<3>             &facet,
+                       const unsigned int          i,
+                       const dealii::Tensor<1, 3> &x)
     {
       return std::sqrt(square_distance_from_segment(facet.corners[(i + 1) % 3],
                                                     facet.corners[(i + 2) % 3],
@@ -126,7 +128,8 @@ namespace Thalweg
                  const unsigned int j,
                  const double       tolerance)
     {
-      return a.corners[1 - i].distance(b.corners[1 - j]) <= tolerance;
+      return ((a.origin - b.origin) + (a.corners[1 - i] - b.corners[1 - j]))
+               .norm() <= tolerance;
     }
 
 
@@ -138,10 +141,13 @@ namespace Thalweg
                  const unsigned int j,
                  const double       tolerance)
     {
-      const auto &a1 = a.corners[(i + 1) % 3], &a2 = a.corners[(i + 2) % 3];
-      const auto &b1 = b.corners[(j + 1) % 3], &b2 = b.corners[(j + 2) % 3];
-      return (a1.distance(b1) <= tolerance && a2.distance(b2) <= tolerance) ||
-             (a1.distance(b2) <= tolerance && a2.distance(b1) <= tolerance);
+      const auto is_same = [&](const unsigned int k, const unsigned int l) {
+        return ((a.origin - b.origin) +
+                (a.corners[(i + k) % 3] - b.corners[(j + l) % 3]))
+                 .norm() <= tolerance;
+      };
+      return (is_same(1, 1) && is_same(2, 2)) ||
+             (is_same(1, 2) && is_same(2, 1));
     }
   } // namespace
 
@@ -151,12 +157,13 @@ namespace Thalweg
   FacetDistance
   distance(const Facet<dim> &facet, const dealii::Point<dim> &x)
   {
-    constexpr unsigned int all_sides = (1u << dim) - 1;
-    const Foot             at        = foot(facet, x);
-    const bool             is_inside =
+    constexpr unsigned int       all_sides = (1u << dim) - 1;
+    const dealii::Tensor<1, dim> way       = x - facet.origin;
+    const Foot                   at        = foot(facet, way);
+    const bool                   is_inside =
       at.inside != 0 && (at.inside | facet.open_sides) == all_sides;
     return {std::sqrt(is_inside ? at.square_height
-                                : square_distance_from_sides(facet, x)),
+                                : square_distance_from_sides(facet, way)),
             !is_inside};
   }
 
@@ -166,7 +173,7 @@ namespace Thalweg
   double
   distance_from_plane(const Facet<dim> &facet, const dealii::Point<dim> &x)
   {
-    const Foot at = foot(facet, x);
+    const Foot at = foot(facet, dealii::Tensor<1, dim>(x - facet.origin));
     return at.inside != 0 ? std::sqrt(at.square_height)
                           : std::numeric_limits<double>::infinity();
   }
@@ -178,13 +185,13 @@ namespace Thalweg
   distance_beyond_end(const std::vector<Facet<dim>> &facets,
                       const dealii::Point<dim>      &x)
   {
-    constexpr double round_off = 1e-9;
-    constexpr double infinity  = std::numeric_limits<double>::infinity();
-    double           nearest   = infinity;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double           nearest  = infinity;
     for (const auto &facet : facets)
       for (unsigned int i = 0; i < dim; ++i)
-        nearest = std::min(nearest, distance_from_side(facet, i, x));
-    const double tolerance = round_off * nearest;
+        nearest =
+          std::min(nearest, distance_from_side(facet, i, x - facet.origin));
+    const double tolerance = same_distance * nearest;
     const auto   is_shared = [&](const unsigned int f, const unsigned int i) {
       for (unsigned int g = 0; g < facets.size(); ++g)
         for (unsigned int j = 0; j < dim && g != f; ++j)
@@ -196,7 +203,8 @@ namespace Thalweg
     for (unsigned int f = 0; f < facets.size(); ++f)
       for (unsigned int i = 0; i < dim; ++i)
         if (((facets[f].open_sides >> i) & 1u) == 0 &&
-            distance_from_side(facets[f], i, x) <= nearest + tolerance &&
+            distance_from_side(facets[f], i, x - facets[f].origin) <=
+              nearest + tolerance &&
             !is_shared(f, i))
           distance = std::min(distance, distance_from_plane(facets[f], x));
     return distance;

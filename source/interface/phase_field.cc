@@ -2,6 +2,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/mesh/round_off.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -136,6 +137,10 @@ namespace Thalweg
   PhaseField<dim>::find_distance(const Vector &level_set)
   {
     phi.copy_locally_owned_data_from(level_set);
+    for (unsigned int n = 0; n < phi.locally_owned_size(); ++n)
+      phi.local_element(n) = without_round_off(phi.local_element(n),
+                                               shortest_edge,
+                                               space.position(n));
     space.interpolate(phi, 1);
     unshifted_volume = domain_volume;
     if (fluids.size() == 1)

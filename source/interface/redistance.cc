@@ -87,9 +87,8 @@ namespace Thalweg
                    const double                   distance,
                    const double                   projected)
     {
-      constexpr double round_off = 1e-9;
-      const double     beyond    = distance_beyond_end<dim>(facets, x);
-      return std::abs(std::abs(projected) - beyond) <= round_off * distance
+      const double beyond = distance_beyond_end<dim>(facets, x);
+      return std::abs(std::abs(projected) - beyond) <= same_distance * distance
                ? std::min(beyond, distance)
                : distance;
     }
@@ -137,6 +136,11 @@ namespace Thalweg
     std::vector<Facet<dim>> facets;
     for (unsigned int node = 0; node < n_owned; ++node)
       {
+        if (phi.local_element(node) == 0.)
+          {
+            distance[node] = 0.;
+            continue;
+          }
         const auto   &x = space.position(node);
         FacetDistance nearest{distance[node], false};
         for_each_patch(node, [&](const unsigned int patch) {

@@ -2,6 +2,7 @@
 #include <thalweg/fields/q1_simplices.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/interface/simplex_cut.h>
+#include <thalweg/mesh/round_off.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -26,14 +27,20 @@ namespace Thalweg
         , values(dealii::Utilities::pow(n + 1, dim))
         , positions(values.size())
       {
+        auto from_first = cell.vertices;
+        for (auto &vertex : from_first)
+          vertex = dealii::Point<dim>(vertex - cell.vertices[0]);
+        const double edge = cell.edges().first;
         for (unsigned int i = 0; i < values.size(); ++i)
           {
             dealii::Point<dim> xi;
             for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n + 1)
               xi[d] = static_cast<double>(rest % (n + 1)) / n;
-            const auto position = Q1::position<dim>(cell.vertices, xi);
-            values[i]           = function.value(position);
-            positions[i] = dealii::Point<dim>(position - cell.vertices[0]);
+            positions[i] = Q1::position<dim>(from_first, xi);
+            const auto position =
+              cell.vertices[0] + dealii::Tensor<1, dim>(positions[i]);
+            values[i] =
+              without_round_off(function.value(position), edge, position);
           }
       }
 
@@ -47,9 +54,18 @@ namespace Thalweg
       }
 
       bool
-      starts_negative() const
+      has_one_sign() const
       {
-        return values[0] < 0.;
+        const auto [least, most] =
+          std::minmax_element(values.begin(), values.end());
+        return *least >= 0. || *most <= 0.;
+      }
+
+      /// If it has one sign: which one.
+      bool
+      is_negative() const
+      {
+        return *std::min_element(values.begin(), values.end()) < 0.;
       }
 
       /// The part of the cell where the function is negative, from a linear
@@ -114,8 +130,10 @@ namespace Thalweg
   {
     const Lattice<dim> coarse(cell, function, 2);
     if (coarse.is_far_from_zero())
-      return coarse.starts_negative() ? cell.measure : 0.;
+      return coarse.is_negative() ? cell.measure : 0.;
     const Lattice<dim> fine(cell, function, 10);
+    if (fine.has_one_sign())
+      return fine.is_negative() ? cell.measure : 0.;
     return Q1::is_parallelepiped<dim>(cell)
              ? fine.negative_fraction() * cell.measure
              : fine.negative_measure();

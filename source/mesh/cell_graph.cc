@@ -25,7 +25,8 @@ namespace Thalweg
     is_axis_parallel(const std::array<dealii::Point<dim>, (1 << dim)> &vertices)
     {
       const dealii::Tensor<1, dim> extent = vertices.back() - vertices.front();
-      const double                 tolerance = 1e-10 * extent.norm();
+      const double                 tolerance =
+        1e-10 * extent.norm() + coordinate_round_off(vertices.front());
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (unsigned int d = 0; d < dim; ++d)
           {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/sub_cell.h>
 
@@ -297,7 +298,8 @@ namespace Thalweg
         Population<dim>::set_level_set(properties, level_set_value(feet[i]));
         properties[Population<dim>::volume_offset] = 0.;
         handler.insert_particle(
-          mesh.mapping().transform_unit_to_real_cell(cell, reference),
+          Q1::position<dim>(mesh.graph().cell(holes.cells[i]).vertices,
+                            reference),
           reference,
           population.next_id(),
           cell,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/mesh/round_off.h>
 #include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/seeding.h>
 
@@ -77,11 +78,13 @@ namespace Thalweg
                    const dealii::Function<dim>         &level_set,
                    const unsigned int                   fluid)
     {
-      constexpr unsigned int n    = 11;
-      const double           sign = fluid == 0 ? -1. : 1.;
-      dealii::Point<dim>     center, deepest;
-      unsigned int           n_inside = 0;
-      double                 depth    = std::numeric_limits<double>::lowest();
+      constexpr unsigned int n = 11;
+      const double           least =
+        negligible_distance(cell.edges().first, cell.vertices[0]);
+      const double       sign = fluid == 0 ? -1. : 1.;
+      dealii::Point<dim> center, deepest;
+      unsigned int       n_inside = 0;
+      double             depth    = std::numeric_limits<double>::lowest();
       for (unsigned int i = 0; i < dealii::Utilities::pow(n, dim); ++i)
         {
           dealii::Point<dim> xi;
@@ -89,12 +92,12 @@ namespace Thalweg
             xi[d] = static_cast<double>(rest % n) / (n - 1);
           const double value =
             sign * level_set.value(Q1::position<dim>(cell.vertices, xi));
-          if (value > depth)
+          if (value > depth + least)
             {
               depth   = value;
               deepest = xi;
             }
-          if (value > 0)
+          if (value > least)
             {
               center += dealii::Tensor<1, dim>(xi);
               ++n_inside;
@@ -104,7 +107,7 @@ namespace Thalweg
         return deepest;
       center /= n_inside;
       return sign * level_set.value(Q1::position<dim>(cell.vertices, center)) >
-                 0
+                 least
                ? center
                : deepest;
     }
@@ -148,15 +151,18 @@ namespace Thalweg
           const dealii::Point<dim>           &reference)
       {
         ParticleRecord<dim> particle;
-        particle.id        = id;
-        particle.reference = reference;
-        particle.position  = mesh.mapping().transform_unit_to_real_cell(
-          mesh.graph().iterator(cell), reference);
+        particle.id          = id;
+        particle.reference   = reference;
+        const auto &geometry = mesh.graph().cell(cell);
+        particle.position    = Q1::position<dim>(geometry.vertices, reference);
         velocity.vector_value(particle.position, value);
         for (unsigned int d = 0; d < dim; ++d)
           particle.properties[Population<dim>::velocity_offset + d] = value[d];
         Population<dim>::set_level_set(particle.properties,
-                                       level_set.value(particle.position));
+                                       without_round_off(level_set.value(
+                                                           particle.position),
+                                                         geometry.edges().first,
+                                                         particle.position));
         particle.properties[Population<dim>::volume_offset] = 0.;
         particles.push_back(particle);
       }

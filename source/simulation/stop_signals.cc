@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/ignored_signals.h>
 #include <thalweg/simulation/stop_signals.h>
 
 #include <deal.II/base/mpi.h>
@@ -14,22 +15,6 @@ namespace Thalweg
     volatile std::sig_atomic_t is_told_to_save = 0;
     volatile std::sig_atomic_t has_steps       = 0;
     volatile std::sig_atomic_t may_speak       = 0;
-
-    /// Whether the one who started the process wants a signal to be ignored,
-    /// as nohup does. Asked before main(): libraries catch signals too.
-    bool
-    is_ignored(const int number)
-    {
-      struct sigaction action;
-      return ::sigaction(number, nullptr, &action) == 0 &&
-             action.sa_handler == SIG_IGN;
-    }
-
-    const std::map<int, bool> is_ignored_from_the_start{
-      {SIGTERM, is_ignored(SIGTERM)},
-      {SIGINT, is_ignored(SIGINT)},
-      {SIGHUP, is_ignored(SIGHUP)},
-      {SIGUSR1, is_ignored(SIGUSR1)}};
 
     /// Ends the process; calls only what a handler of signals may call.
     [[noreturn]] void
@@ -91,11 +76,8 @@ namespace Thalweg
   {
     struct sigaction action, &before = old[number];
     ::sigaction(number, nullptr, &before);
-    const auto entry = is_ignored_from_the_start.find(number);
-    const bool is_to_be_ignored =
-      entry != is_ignored_from_the_start.end() && entry->second;
     std::memset(&action, 0, sizeof(action));
-    action.sa_handler = is_to_be_ignored ? SIG_IGN : handler;
+    action.sa_handler = was_ignored(number) ? SIG_IGN : handler;
     action.sa_flags   = SA_RESTART;
     ::sigaction(number, &action, nullptr);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/lagrange_shape.h>
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/feet_in_place.h>
 
 #include <deal.II/base/exceptions.h>
@@ -55,8 +56,7 @@ namespace Thalweg
                             phi);
         feet[p].level_set = phi[0];
         feet[p].position =
-          mesh.mapping().transform_unit_to_real_cell(mesh.graph().iterator(c),
-                                                     reference);
+          Q1::position<dim>(mesh.graph().cell(c).vertices, reference);
         feet[p].boundary = dealii::numbers::invalid_boundary_id;
         feet[p].found    = true;
       }

@@ -2,6 +2,7 @@
 #include <thalweg/core/bytes.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/lagrange_shape.h>
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/sub_cell.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
@@ -304,7 +305,7 @@ namespace Thalweg
     const unsigned int index = graph.index(target);
     if (fate != Compat::CellFate::persists && !graph.cell(index).axis_parallel)
       particle.position =
-        mesh.mapping().transform_unit_to_real_cell(target, particle.reference);
+        Q1::position<dim>(graph.cell(index).vertices, particle.reference);
     received[index].push_back(particle);
   }
 

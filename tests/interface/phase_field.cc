@@ -103,6 +103,22 @@ TYPED_TEST(PhaseFieldMpi, CellsAreCutWhereTheLevelSetChangesSign)
 
 
 
+TYPED_TEST(PhaseFieldMpi, RoundOffPutsNodesOnNoSideOfTheInterface)
+{
+  constexpr int    dim = TypeParam::value;
+  const Scene<dim> scene(unit_box<dim>(8));
+  scene.set_phases([](const auto &p) {
+    return p[1] - .5 + 1e-13 * std::sin(1e3 * (p[0] + p[dim - 1]));
+  });
+  scene.for_each_node([&](const unsigned int n, const auto &x) {
+    if (std::abs(x[1] - .5) < 1e-6)
+      EXPECT_EQ(scene.phase->level_set().local_element(n), 0.) << x;
+  });
+  EXPECT_TRUE(scene.phase->cut_cells().empty());
+}
+
+
+
 TYPED_TEST(PhaseFieldMpi, OneFluidFillsEverything)
 {
   constexpr int    dim = TypeParam::value;

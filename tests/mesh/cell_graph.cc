@@ -51,3 +51,25 @@ TEST(CellGraph, MeasuresHexahedraExactly)
                 exact,
                 1e-14);
 }
+
+
+
+TEST(CellGraph, BoxesAreBoxesWhateverTheDigitsOfTheirCorners)
+{
+  for (const double x : {0., 1000000.3, 5000001.5})
+    {
+      const std::string lower = std::to_string(x) + ", " + std::to_string(-x);
+      const std::string upper =
+        std::to_string(x + 1.) + ", " + std::to_string(.7 - x);
+      const std::string levels =
+        "if(x < " + std::to_string(x + .52) + ", 2, 0)";
+      const Scene<2> scene(section("Geometry",
+                                   {},
+                                   section("box",
+                                           {"Lower corner = " + lower,
+                                            "Upper corner = " + upper,
+                                            "Repetitions = 20, 14"})) +
+                           section("Refinement", {"Local levels = " + levels}));
+      EXPECT_TRUE(scene.mesh.graph().all_axis_parallel()) << x;
+    }
+}

@@ -73,6 +73,36 @@ TEST(SeedingMpi, RegularParticlesTakeVelocityAndLevelSetFromFunctions)
 }
 
 
+TEST(SeedingMpi, ParticlesOnTheInterfaceAreInTheSecondFluid)
+{
+  // The middle of the cells in the middle, and round-off of both signs.
+  class Level : public dealii::Function<2>
+  {
+  public:
+    double
+    value(const Point<2> &x, const unsigned int) const override
+    {
+      return x[0] - .5 + 1e-13 * std::sin(1e3 * x[1]);
+    }
+  };
+  Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
+  make_box(mesh, 5);
+  Thalweg::Population<2> population(mesh);
+  Thalweg::seed(population,
+                Thalweg::SeedingParameters(),
+                dealii::Functions::ZeroFunction<2>(2),
+                Level());
+  unsigned int n = 0;
+  for (const auto &particle : population.handler())
+    if (std::abs(particle.get_location()[0] - .5) < 1e-6)
+      {
+        ++n;
+        EXPECT_EQ(particle.get_properties()[2], 0.);
+      }
+  EXPECT_EQ(dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD), 15u);
+}
+
+
 TEST(SeedingMpi, ParticlesShareTheVolumesOfTheirCells)
 {
   // A film of a tenth of a cell, which no particle of the lattice stands in.

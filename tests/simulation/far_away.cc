@@ -11,6 +11,9 @@ namespace
   /// differs is round-off of the run alone.
   constexpr double near = 1048576., far = 8388608.;
 
+  /// One that most positions cannot bear.
+  constexpr double rounded = 1000000.3;
+
   const std::array<const char *, 7> columns{{"volume 1 [m^d]",
                                              "volume 2 [m^d]",
                                              "kinetic energy [J]",
@@ -63,19 +66,23 @@ namespace
   /// A column of water that begins to fall, with its lower corner at
   /// (offset, -offset).
   std::string
-  dam_break(const double offset, const std::vector<std::string> &refinement)
+  dam_break(const double                    offset,
+            const std::vector<std::string> &refinement,
+            const std::string              &repetitions = "16, 8",
+            const std::string              &width       = "0.26",
+            const std::string              &height      = "0.31")
   {
     return section("Geometry",
                    {},
                    section("box",
                            {"Lower corner = " + point(0., 0., offset),
                             "Upper corner = " + point(1., .5, offset),
-                            "Repetitions = 16, 8"})) +
+                            "Repetitions = " + repetitions})) +
            section("Refinement", refinement) + steps +
            section("Body forces", {"Gravity = 0, -9.81"}) +
            section("Initial conditions",
-                   {"Level set = max(" + from("x", offset) + " - 0.26, " +
-                    from("y", -offset) + " - 0.31)"}) +
+                   {"Level set = max(" + from("x", offset) + " - " + width +
+                    ", " + from("y", -offset) + " - " + height + ")"}) +
            tight_solver("1e-12", "1e-12");
   }
 
@@ -105,21 +112,27 @@ namespace
 
   /// The same in cells without right angles.
   std::string
-  skew_dam_break(const double offset)
+  skew_dam_break(const double       offset,
+                 const std::string &width,
+                 const bool         is_binary = true)
   {
+    const auto corner = [&](const double x, const double y, const double more) {
+      return is_binary ? point(x, y, offset)
+                       : point(x + more, y - more, offset);
+    };
     return section("Geometry",
                    {"Model = generator"},
                    section("generator",
                            {"Function = general_cell",
-                            "Arguments = " + point(0., 0., offset) + ";" +
-                              point(1., .125, offset) + ";" +
-                              point(.125, .75, offset) + ";" +
-                              point(1.25, .625, offset) + ": false"})) +
+                            "Arguments = " + corner(0., 0., 0.) + ";" +
+                              corner(1., .125, .1) + ";" +
+                              corner(.125, .75, .04) + ";" +
+                              corner(1.25, .625, -.02) + ": false"})) +
            section("Refinement", {"Global levels = 3"}) + steps +
            section("Body forces", {"Gravity = 0, -9.81"}) +
            section("Initial conditions",
-                   {"Level set = max(" + from("x", offset) + " - 0.5, " +
-                    from("y", -offset) + " - 0.4)"}) +
+                   {"Level set = max(" + from("x", offset) + " - " + width +
+                    ", " + from("y", -offset) + " - 0.4)"}) +
            tight_solver("1e-12", "1e-12");
   }
 
@@ -167,8 +180,50 @@ TEST(FarAway, DamBreakOnHangingNodesIsAsAtTheOrigin)
 
 TEST(FarAway, SkewCellsAreAsAtTheOrigin)
 {
-  const RunCase<2> origin(skew_dam_break(0.));
-  expect_same(origin, RunCase<2>(skew_dam_break(near)), 1e-6);
+  const RunCase<2> origin(skew_dam_break(0., "0.5"));
+  for (const double offset : {near, rounded})
+    expect_same(origin, RunCase<2>(skew_dam_break(offset, "0.5")), 1e-6);
+}
+
+
+
+TEST(FarAway, SkewCellsOfAnyDigitsAreAsAtTheOrigin)
+{
+  for (const char *width : {"0.45", "0.5"})
+    {
+      const RunCase<2> origin(skew_dam_break(0., width, false));
+      for (const double offset : {near, rounded})
+        expect_same(origin,
+                    RunCase<2>(skew_dam_break(offset, width, false)),
+                    1e-6);
+    }
+}
+
+
+
+// Nodes, edges and particles of the cells lie on the interface: round-off must
+// not decide on which side of it.
+TEST(FarAway, InterfacesAlongCellsAreAsAtTheOrigin)
+{
+  const auto run = [](const double      offset,
+                      const bool        along_edges,
+                      const std::string levels = "0") {
+    return RunCase<2>(dam_break(offset,
+                                {"Local levels = " + levels},
+                                "20, 10",
+                                along_edges ? "0.25" : "0.275",
+                                along_edges ? "0.3" : "0.325"));
+  };
+  for (const bool along_edges : {true, false})
+    {
+      const RunCase<2> origin(run(0., along_edges));
+      for (const double offset : {rounded, 5. * rounded})
+        expect_same(origin, run(offset, along_edges), 1e-6);
+    }
+  const auto left = [](const double offset) {
+    return "if(" + from("x", offset) + " < 0.51, 1, 0)";
+  };
+  expect_same(run(0., true, left(0.)), run(near, true, left(near)), 1e-6);
 }
 
 

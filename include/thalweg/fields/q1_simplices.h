@@ -5,6 +5,7 @@
 #include <thalweg/fields/q1_cell.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Thalweg
 {
@@ -17,8 +18,7 @@ namespace Thalweg
     {
       if (cell.axis_parallel)
         return true;
-      const auto            &x         = cell.vertices;
-      constexpr double       round_off = 1e-10;
+      const auto            &x = cell.vertices;
       dealii::Tensor<1, dim> edges[dim];
       double                 size = 0.;
       for (unsigned int d = 0; d < dim; ++d)
@@ -26,13 +26,15 @@ namespace Thalweg
           edges[d] = x[1u << d] - x[0];
           size     = std::max(size, edges[d].norm_square());
         }
+      const double round_off =
+        1e-10 * std::sqrt(size) + coordinate_round_off(x[0]);
       for (unsigned int v = 3; v < x.size(); ++v)
         {
           dealii::Tensor<1, dim> difference = x[v] - x[0];
           for (unsigned int d = 0; d < dim; ++d)
             if ((v >> d) & 1u)
               difference -= edges[d];
-          if (difference.norm_square() > round_off * round_off * size)
+          if (difference.norm() > round_off)
             return false;
         }
       return true;

@@ -94,7 +94,9 @@ namespace Thalweg
           const double       smallest_residual,
           const unsigned int maximum);
 
-    /// The norm of the outflows that are round-off of a velocity.
+    /// The norm of the outflows that are round-off of a velocity and of the
+    /// cells' corners. In regular meshes these let multipliers that alternate
+    /// from cell to cell, and move nothing, ask for velocities of any size.
     double
     round_off(const Vector &velocity) const;
 
@@ -105,10 +107,12 @@ namespace Thalweg
     /// int grad N_i, cell by cell
     std::vector<std::array<dealii::Tensor<1, dim>, n_vertices>> gradients;
     std::vector<unsigned int>                                   rigid_cells;
-    Vector         inverse_diagonal;
-    Vector         outflow;
-    Vector         multiplier, preconditioned, direction, image;
-    double         domain_measure = 0;
+    Vector inverse_diagonal;
+    Vector outflow;
+    Vector multiplier, preconditioned, direction, image;
+    double domain_measure = 0;
+    /// Of an edge, the part that is round-off of its ends.
+    double         edge_round_off = 0;
     mutable Vector change;
   };
 } // namespace Thalweg

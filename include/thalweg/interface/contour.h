@@ -76,9 +76,17 @@ namespace Thalweg
   private:
     struct Ball
     {
-      dealii::Point<dim> center;
+      dealii::Point<dim>     origin;
+      dealii::Tensor<1, dim> center; ///< the way from there, m
       /// Infinite if a facet goes on beyond the domain.
       double radius = 0.;
+
+      /// Of @p x from its surface, negative inside.
+      double
+      distance(const dealii::Point<dim> &x) const
+      {
+        return ((x - origin) - center).norm() - radius;
+      }
     };
 
     void

@@ -18,12 +18,20 @@ namespace Thalweg
   template <int dim>
   struct Facet
   {
-    std::array<dealii::Point<dim>, dim> corners;
+    dealii::Point<dim> origin; ///< any point nearby
+    /// The ways from there, m: their digits do not depend on where the domain
+    /// is.
+    std::array<dealii::Tensor<1, dim>, dim> corners;
     /// Bit i is set if the side opposite to corner i (in 2D the other
     /// corner) lies on the boundary of the domain: there the facet goes on
     /// to infinity, between the lines of its other sides.
     unsigned int open_sides = 0;
   };
+
+  /// Distances whose relative difference is less than this are the same: where
+  /// a plane is meant round-off must not decide what is nearest, also far from
+  /// the origin.
+  constexpr double same_distance = 1e-6;
 
   /// The distance of a point from a facet, continued beyond its open sides.
   struct FacetDistance
@@ -67,8 +75,8 @@ namespace Thalweg
     double longest = 0.;
     for (unsigned int i = 1; i < dim; ++i)
       longest =
-        std::max(longest, facet.corners[0].distance_square(facet.corners[i]));
-    return facet.corners[0].distance(x) - std::sqrt(longest);
+        std::max(longest, (facet.corners[i] - facet.corners[0]).norm_square());
+    return ((x - facet.origin) - facet.corners[0]).norm() - std::sqrt(longest);
   }
 } // namespace Thalweg
 

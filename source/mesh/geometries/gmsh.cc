@@ -249,10 +249,10 @@ namespace Thalweg
       void
       Reader::read_block_of_elements()
       {
-        std::int64_t dimension, entity;
+        std::int64_t dimension = 0;
         if (version > 40)
           dimension = words.whole("the dimension of elements", 0, 3);
-        entity = tag("the entity of elements");
+        const auto entity = tag("the entity of elements");
         if (version == 40)
           dimension = words.whole("the dimension of elements", 0, 3);
         const Shape       shape = read_shape();

@@ -5,6 +5,16 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// Where fluids are mixed finely the projected level set is flat, and its
+    /// contour moves by several times what particles take: with all of the
+    /// shift it would swing.
+    constexpr double kept_part_of_shift = .1;
+  } // namespace
+
+
+
   template <int dim>
   void
   Pfem2<dim>::declare_parameters(const Section &section)
@@ -177,7 +187,7 @@ namespace Thalweg
       shift_level_sets(parts->population,
                        parts->space,
                        *shift,
-                       getenv("KAPPA") ? atof(getenv("KAPPA")) : .1);
+                       kept_part_of_shift);
   }
 
 

@@ -19,7 +19,7 @@ namespace Thalweg
   namespace
   {
     /// Of the files and what they mean; another number is another format.
-    constexpr unsigned int format = 2;
+    constexpr unsigned int format = 3;
     /// No run has so many ranks that its manifest would be longer.
     constexpr std::uintmax_t longest_manifest = 1 << 24;
     constexpr int            deepest_manifest = 8;

@@ -35,41 +35,7 @@ namespace Thalweg
                   dealii::Patterns::Anything());
     }
     boundary_conditions.declare(root);
-    {
-      const Section section = root.enter("Particles");
-      seeding.declare_parameters(section);
-      convection.declare_parameters(section);
-      population.declare_parameters(section);
-      section.add("Carry",
-                  particles_carry,
-                  "",
-                  "What tells the fluids apart: the sign of the level set "
-                  "(Eq. 69), or the distance from where it vanishes at the "
-                  "start, which makes for a smoother interface and keeps the "
-                  "volume better; or its value as it is, whatever that means "
-                  "(a concentration).",
-                  dealii::Patterns::Selection("sign|distance|value"));
-      section.add("Distance band",
-                  distance_band,
-                  "",
-                  "At how many times the shortest edge of a particle's cell "
-                  "the distance that it carries is cut off before it is "
-                  "projected, where the flow has distorted distances: those "
-                  "from farther away say nothing about the surface.",
-                  dealii::Patterns::Double(0));
-      section.add("Spray",
-                  spray,
-                  "",
-                  "What becomes of particles where the mesh shows the other "
-                  "fluid, since drops, jets and bubbles are finer than its "
-                  "cells: drops fly freely on parabolas and bubbles rise until "
-                  "they are back in their own fluid (`ballistic`), or all are "
-                  "carried by the fluid around them (`none`). `automatic` is "
-                  "`ballistic` if the first fluid is at least a hundred times "
-                  "as dense as the second. Where particles carry values that "
-                  "are neither a sign nor a distance, there is none.",
-                  dealii::Patterns::Selection("automatic|ballistic|none"));
-    }
+    declare_particles(root.enter("Particles"));
     {
       const Section section = root.enter("Projection");
       projection.declare_parameters(section,
@@ -87,6 +53,46 @@ namespace Thalweg
       const Section section = root.enter("Postprocess");
       postprocessors.declare_parameters(section, "postprocessors");
     }
+  }
+
+
+
+  template <int dim>
+  void
+  SimulationParameters<dim>::declare_particles(const Section &section)
+  {
+    seeding.declare_parameters(section);
+    convection.declare_parameters(section);
+    population.declare_parameters(section);
+    section.add("Carry",
+                particles_carry,
+                "",
+                "What tells the fluids apart: the sign of the level set "
+                "(Eq. 69), or the distance from where it vanishes at the "
+                "start, which makes for a smoother interface and keeps the "
+                "volume better; or its value as it is, whatever that means "
+                "(a concentration).",
+                dealii::Patterns::Selection("sign|distance|value"));
+    section.add("Distance band",
+                distance_band,
+                "",
+                "At how many times the shortest edge of a particle's cell "
+                "the distance that it carries is cut off before it is "
+                "projected, where the flow has distorted distances: those "
+                "from farther away say nothing about the surface.",
+                dealii::Patterns::Double(0));
+    section.add("Spray",
+                spray,
+                "",
+                "What becomes of particles where the mesh shows the other "
+                "fluid, since drops, jets and bubbles are finer than its "
+                "cells: drops fly freely on parabolas and bubbles rise until "
+                "they are back in their own fluid (`ballistic`), or all are "
+                "carried by the fluid around them (`none`). `automatic` is "
+                "`ballistic` if the first fluid is at least a hundred times "
+                "as dense as the second. Where particles carry values that "
+                "are neither a sign nor a distance, there is none.",
+                dealii::Patterns::Selection("automatic|ballistic|none"));
   }
 
 

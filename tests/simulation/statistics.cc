@@ -30,6 +30,8 @@ TEST(SimulationStatistics, HaveTheSameOrderInEachRun)
                                           "target volume 1 [m^d]",
                                           "correction of volume 1 [m^d]",
                                           "debt of volume 1 [m^d]",
+                                          "drops of volume 1 [m^d]",
+                                          "bubbles of volume 2 [m^d]",
                                           "carried volume 1 [m^d]",
                                           "carried volume 2 [m^d]",
                                           "volume 1 in [m^d]",

@@ -2,7 +2,6 @@
 #ifndef thalweg_methods_pfem2_h
 #define thalweg_methods_pfem2_h
 
-#include <thalweg/methods/dispersed_motion.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/transfer/carried_distance.h>
 

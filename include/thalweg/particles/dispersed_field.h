@@ -105,6 +105,16 @@ namespace Thalweg
       return walker.acceleration;
     }
 
+    /// The way of a drop in a time, m.
+    static Coordinates
+    way(const WalkerType &walker, const double time)
+    {
+      Coordinates result = velocity_after(walker, .5 * time);
+      for (double &component : result)
+        component *= time;
+      return result;
+    }
+
     /// Takes what goes along @p normal from the velocity of a drop: walls are
     /// inelastic and smooth.
     void

@@ -35,7 +35,8 @@ namespace Thalweg
    *   - `velocity(walker, reference, time_left)`: on axis-parallel cells that
    *     of the reference coordinates in 1/s, else that of the position in m/s;
    *   - `acceleration(walker, reference, time_left)`, if any, in m/s^2;
-   *   - if they are, `hit(walker, normal)` for walls, and `lands(walker)`,
+   *   - if they are, `way(walker, time)` of a drop in m,
+   *     `hit(walker, normal)` for walls, and `lands(walker)`,
    *     whether its way ends where it is.
    */
   template <int dim, typename Field = SteadyField<dim>>
@@ -108,12 +109,20 @@ namespace Thalweg
                     double           &time,
                     Coordinates      &gain) const;
 
+    /// The end of a drop's substep in a general cell, exactly.
+    Coordinates
+    flight(const WalkerType &walker, double &time, Coordinates &gain) const;
+
     template <StreamlineScheme scheme>
     void
     walk_with(WalkerType &walker, WalkEffort &effort) const;
 
     void
     cross(WalkerType &walker, WalkEffort &effort) const;
+
+    /// Lets a walker that is beyond a wall slide along it.
+    void
+    meet_wall(WalkerType &walker, const unsigned int face) const;
 
     /// Normal to the face of the walker's cell that bounds a reference
     /// coordinate, of any length.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace Thalweg
@@ -177,6 +178,9 @@ namespace Thalweg
           end = substep<scheme, true>(walker, time, gain);
         else
           end = careful_substep<scheme>(walker, time, gain);
+        if constexpr (Field::disperses)
+          if (!walker.is_bubble && !cell_graph.cell(walker.cell).axis_parallel)
+            end = flight(walker, time, gain);
         walker.time -= time;
         if constexpr (Field::accelerates)
           for (unsigned int d = 0; d < dim; ++d)
@@ -206,6 +210,29 @@ namespace Thalweg
     if constexpr (Field::accelerates)
       if (!CellPolynomial::is_finite<dim>(walker.integral))
         walker.fate = Fate::lost;
+  }
+
+
+  template <int dim, typename Field>
+  typename StreamlineWalk<dim, Field>::Coordinates
+  StreamlineWalk<dim, Field>::flight(const WalkerType &walker,
+                                     double           &time,
+                                     Coordinates      &gain) const
+  {
+    // What is a parabola in space is none in the cell's coordinates.
+    Coordinates end;
+    end.fill(std::numeric_limits<double>::quiet_NaN());
+    if constexpr (Field::disperses)
+      for (unsigned int i = 0; i < 7; ++i, time *= .5)
+        {
+          auto              place = maps.place(walker.cell, walker.reference);
+          const Coordinates way   = field_.way(walker, time);
+          place.way               = WalkDetails::along<dim>(place.way, 1., way);
+          gain = WalkDetails::along<dim>({}, time, walker.acceleration);
+          if (maps.to_reference(walker.cell, place, end))
+            return end;
+        }
+    return end;
   }
 
 
@@ -288,13 +315,40 @@ namespace Thalweg
             return;
           }
         else
-          {
-            walker.reference[exit.face / 2] = exit.face % 2;
-            if constexpr (Field::disperses)
-              field_.hit(walker, normal(walker, exit.face / 2));
-          }
+          meet_wall(walker, exit.face);
       }
     walker.fate = Fate::lost;
+  }
+
+
+  template <int dim, typename Field>
+  void
+  StreamlineWalk<dim, Field>::meet_wall(WalkerType        &walker,
+                                        const unsigned int face) const
+  {
+    const unsigned int direction = face / 2;
+    const auto         beyond    = walker.reference;
+    walker.reference[direction]  = face % 2;
+    if constexpr (Field::disperses)
+      {
+        const Coordinates n = normal(walker, direction);
+        field_.hit(walker, n);
+        if (walker.is_bubble || cell_graph.cell(walker.cell).axis_parallel)
+          return;
+        // Back along the normal, not along the cell's coordinate.
+        const auto way   = maps.place(walker.cell, beyond).way;
+        auto       place = maps.place(walker.cell, walker.reference);
+        double     part = 0, square = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            part += (way[d] - place.way[d]) * n[d];
+            square += n[d] * n[d];
+          }
+        for (unsigned int d = 0; d < dim; ++d)
+          place.way[d] = way[d] - part / square * n[d];
+        if (maps.to_reference(walker.cell, place, walker.reference))
+          walker.reference[direction] = face % 2;
+      }
   }
 
 

@@ -67,6 +67,9 @@ namespace Thalweg
     void
     check_change() const;
 
+    void
+    declare_particles(const Section &section);
+
     /// Whether what the mesh does not see moves by itself.
     bool
     has_spray() const;

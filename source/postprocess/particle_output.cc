@@ -59,15 +59,20 @@ namespace Thalweg
         : SeriesOutput<dim>("dispersed")
       {}
 
-    private:
       void
-      write(Context &context, const SolutionView<dim> &solution) override
+      check(const RunOutline<dim> &outline) const override
       {
-        AssertThrow(solution.dispersed != nullptr,
+        AssertThrow(outline.has_dispersed,
                     dealii::ExcMessage(
                       "There are neither drops nor bubbles in this run, see "
                       "'Particles/Spray': take 'dispersed' out of "
                       "'Postprocess/Models'."));
+      }
+
+    private:
+      void
+      write(Context &context, const SolutionView<dim> &solution) override
+      {
         write_population(*solution.dispersed, solution, context, this->record);
       }
     };

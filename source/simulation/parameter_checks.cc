@@ -244,7 +244,10 @@ namespace Thalweg
                                    std::string("Initial conditions/") + where),
             coarse);
       });
-    const RunOutline<dim> outline{coarse, fluids, has_flat_cells(coarse)};
+    const RunOutline<dim> outline{coarse,
+                                  fluids,
+                                  has_flat_cells(coarse),
+                                  has_spray()};
     collect([&]() { adaptive.check(outline); });
     for (std::size_t i = 0; i < postprocessors.chosen().size(); ++i)
       {

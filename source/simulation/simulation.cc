@@ -172,7 +172,8 @@ namespace Thalweg
     postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
-        postprocessor->check({mesh, parameters.fluids});
+        postprocessor->check(
+          {mesh, parameters.fluids, true, parameters.has_spray()});
         postprocessor->initialize(context, view());
       }
     if (context.resumed)

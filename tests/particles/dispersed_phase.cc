@@ -289,7 +289,7 @@ TEST(DispersedPhaseMpi, ComesFromWaterAndGoesBack)
 TEST(DispersedPhaseMpi, BubblesGoWithTheFlowAndThroughIt)
 {
   Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
-  make_mesh(mesh, true);
+  make_mesh(mesh, false);
   Population<2> bubbles(mesh);
   seed_plain(bubbles, 1);
   for (auto &bubble : bubbles.handler())

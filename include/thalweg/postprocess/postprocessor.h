@@ -19,6 +19,8 @@ namespace Thalweg
     /// Whether the mesh fills the domain exactly; a coarse one with curved
     /// sides does not.
     bool fills_domain = true;
+    /// Whether there can be drops and bubbles, see SolutionView.
+    bool has_dispersed = true;
   };
 
   /**

@@ -2,6 +2,7 @@
 #include <thalweg/methods/pfem2.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Thalweg
 {
@@ -183,11 +184,19 @@ namespace Thalweg
   Pfem2<dim>::keep_shift()
   {
     const Vector *shift = parts->phase.shifts_at_nodes();
-    if (shift != nullptr && carries_distances())
-      shift_level_sets(parts->population,
-                       parts->space,
-                       *shift,
-                       kept_part_of_shift);
+    if (shift == nullptr || !carries_distances())
+      return;
+    // Beside the surface only: who shifts for which body is clear there.
+    const double beside =
+      .5 * dealii::Utilities::MPI::min(parts->mesh.graph().minimal_extent(),
+                                       parts->context.communicator);
+    Vector kept(*shift);
+    kept.zero_out_ghost_values();
+    for (unsigned int n = 0; n < kept.locally_owned_size(); ++n)
+      if (std::abs(parts->phase.level_set().local_element(n)) > beside)
+        kept.local_element(n) = 0.;
+    parts->space.interpolate(kept, 1);
+    shift_level_sets(parts->population, parts->space, kept, kept_part_of_shift);
   }
 
 

@@ -59,7 +59,7 @@ namespace Thalweg
     const MPI_Comm communicator =
       space.mesh().triangulation().get_communicator();
     domain_volume = dealii::Utilities::MPI::sum(domain_volume, communicator);
-    shortest_edge =
+    shortest_edge_ =
       dealii::Utilities::MPI::min(graph.minimal_extent(), communicator);
   }
 
@@ -139,7 +139,7 @@ namespace Thalweg
     phi.copy_locally_owned_data_from(level_set);
     for (unsigned int n = 0; n < phi.locally_owned_size(); ++n)
       phi.local_element(n) = without_round_off(phi.local_element(n),
-                                               shortest_edge,
+                                               shortest_edge_,
                                                space.position(n));
     space.interpolate(phi, 1);
     unshifted_volume = domain_volume;
@@ -156,7 +156,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  PhaseField<dim>::hold_volume(const bool hold_volume)
+  PhaseField<dim>::hold_volume(const bool shifts)
   {
     last_shift     = 0;
     debts          = {};
@@ -165,7 +165,7 @@ namespace Thalweg
       {
         CellField<dim, 1> values;
         space.copy_to_cells(phi, values);
-        if (hold_volume && parameters.hold_volume)
+        if (shifts && parameters.hold_volume)
           correct(values);
         shifted_volume = volume_with_shift(values, 0.);
       }
@@ -176,10 +176,10 @@ namespace Thalweg
 
   template <int dim>
   void
-  PhaseField<dim>::rebuild(const Vector &level_set, const bool hold_volume)
+  PhaseField<dim>::rebuild(const Vector &level_set, const bool shifts)
   {
     find_distance(level_set);
-    this->hold_volume(hold_volume);
+    hold_volume(shifts);
   }
 
 
@@ -221,7 +221,7 @@ namespace Thalweg
   PhaseField<dim>::shift_bodies()
   {
     const double length =
-      parameters.redistance ? shortest_edge : phi.linfty_norm();
+      parameters.redistance ? shortest_edge_ : phi.linfty_norm();
     correction->apply(phi, carried(), .25 * length);
     last_shift = correction->shift();
     debts      = correction->debt();

@@ -187,10 +187,8 @@ namespace Thalweg
     if (shift == nullptr || !carries_distances())
       return;
     // Beside the surface only: who shifts for which body is clear there.
-    const double beside =
-      .5 * dealii::Utilities::MPI::min(parts->mesh.graph().minimal_extent(),
-                                       parts->context.communicator);
-    Vector kept(*shift);
+    const double beside = .5 * parts->phase.shortest_edge();
+    Vector       kept(*shift);
     kept.zero_out_ghost_values();
     for (unsigned int n = 0; n < kept.locally_owned_size(); ++n)
       if (std::abs(parts->phase.level_set().local_element(n)) > beside)
@@ -205,8 +203,8 @@ namespace Thalweg
   void
   Pfem2<dim>::keep_distance(const double dt)
   {
-    // New particles take the level set without the shift, as the others
-    // carry it: else the shifts of all steps would add up in them.
+    // New particles take the level set without the shift, of which the others
+    // carry a small part: else the shifts of all steps would add up in them.
     if (!carries_distances())
       {
         parts->space.copy_to_cells(level_set, cell_level_set);

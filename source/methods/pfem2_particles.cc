@@ -21,7 +21,7 @@ namespace Thalweg
   {
     ConvectionReport report =
       parts->convection.move(parts->population, cell_velocity, dt);
-    if (parts->dispersed == nullptr)
+    if (parts->dispersed == nullptr || parts->dispersed->is_empty())
       return report;
     parts->forces.set_time(time + .5 * dt);
     parts->space.copy_to_cells(parts->phase.level_set(), cell_distance);

@@ -95,10 +95,8 @@ namespace Thalweg
   bool
   DispersedField<dim>::lands(const WalkerType &walker) const
   {
-    dealii::Point<dim> reference;
-    for (unsigned int d = 0; d < dim; ++d)
-      reference[d] = walker.reference[d];
-    const double phi = Q1::value<dim>(level_set[walker.cell], reference);
+    const double phi =
+      Q1::value<dim>(level_set[walker.cell], walker.reference_point());
     return walker.is_bubble ? phi >= 0 : phi < 0;
   }
 

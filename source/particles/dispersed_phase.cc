@@ -44,20 +44,6 @@ namespace Thalweg
 
 
 
-    template <int dim>
-    std::array<double, dim>
-    velocity_of(
-      const std::array<double, Population<dim>::n_properties> &properties)
-    {
-      std::array<double, dim> velocity;
-      std::copy_n(properties.begin() + Population<dim>::velocity_offset,
-                  dim,
-                  velocity.begin());
-      return velocity;
-    }
-
-
-
     /// Adds what @p acceleration brings in @p time to a velocity.
     template <int dim>
     void
@@ -70,24 +56,6 @@ namespace Thalweg
           time * acceleration[d];
     }
 
-
-
-    /// The velocity of the mesh at a point of a cell.
-    template <int dim>
-    void
-    take_velocity(const std::array<double, dim *(1 << dim)>         &nodal,
-                  const dealii::Point<dim>                          &reference,
-                  std::array<double, Population<dim>::n_properties> &properties)
-    {
-      const auto shape = Q1::values<dim>(reference);
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          double &sum = properties[Population<dim>::velocity_offset + d];
-          sum         = 0;
-          for (unsigned int v = 0; v < shape.size(); ++v)
-            sum += shape[v] * nodal[dim * v + d];
-        }
-    }
   } // namespace
 
 
@@ -112,9 +80,6 @@ namespace Thalweg
                             const double                   velocity_ahead,
                             std::vector<NewParticle<dim>> &landed)
   {
-    landed.clear();
-    if (population.n_global_particles() == 0)
-      return {};
     const auto &graph = population.mesh().graph();
     const StreamlineWalk<dim, DispersedField<dim>> walk(
       graph,
@@ -138,9 +103,12 @@ namespace Thalweg
         else
           {
             own = std::max(own, phi);
-            take_velocity<dim>(velocity[particle.cell],
-                               particle.reference,
-                               particle.properties);
+            const auto v =
+              Q1::value<dim, dim>(velocity[particle.cell], particle.reference);
+            std::copy(v.begin(),
+                      v.end(),
+                      particle.properties.begin() +
+                        Population<dim>::velocity_offset);
           }
       }
     landed                           = std::move(dispersal.landed);
@@ -212,7 +180,7 @@ namespace Thalweg
         if (Population<dim>::fluid_of(record.properties) == 0)
           accelerate<dim>(record.properties,
                           motion.acceleration(record.position,
-                                              velocity_of<dim>(
+                                              Population<dim>::velocity_of(
                                                 record.properties)),
                           ahead);
         records.push_back(record);
@@ -282,6 +250,15 @@ namespace Thalweg
     const auto come = take(population, coming, motion, velocity_ahead);
     give(population, going, gone);
     give(particles, coming, come);
+  }
+
+
+
+  template <int dim>
+  bool
+  DispersedPhase<dim>::is_empty() const
+  {
+    return population.n_global_particles() == 0;
   }
 
 

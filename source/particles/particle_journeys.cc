@@ -110,17 +110,12 @@ namespace Thalweg
            const dealii::Point<dim>                    &place,
            ParticleTraveller<dim, DispersedField<dim>> &traveller)
     {
-      std::array<double, dim> velocity;
-      std::copy_n(traveller.luggage.properties.begin() +
-                    Population<dim>::velocity_offset,
-                  dim,
-                  velocity.begin());
-      field.launch(
-        traveller.walker,
-        place,
-        Population<dim>::fluid_of(traveller.luggage.properties),
-        velocity,
-        traveller.luggage.properties[Population<dim>::volume_offset]);
+      const auto &properties = traveller.luggage.properties;
+      field.launch(traveller.walker,
+                   place,
+                   Population<dim>::fluid_of(properties),
+                   Population<dim>::velocity_of(properties),
+                   properties[Population<dim>::volume_offset]);
     }
 
     /// Copies all particles out of the population, and lets each walk as far
@@ -167,10 +162,9 @@ namespace Thalweg
     {
       const auto &[walker, particle] = traveller;
       ParticleRecord<dim> record;
-      record.id       = particle.id;
-      record.position = walk.position(walker);
-      for (unsigned int d = 0; d < dim; ++d)
-        record.reference[d] = walker.reference[d];
+      record.id         = particle.id;
+      record.position   = walk.position(walker);
+      record.reference  = walker.reference_point();
       record.properties = particle.properties;
       if constexpr (Field::accelerates)
         for (unsigned int d = 0; d < dim; ++d)
@@ -279,15 +273,12 @@ namespace Thalweg
       if (walker.fate == Fate::landed)
         {
           NewParticle<dim> landed{walker.cell,
-                                  {},
+                                  walker.reference_point(),
                                   walker.time,
                                   particle.properties};
           for (unsigned int d = 0; d < dim; ++d)
-            {
-              landed.reference[d] = walker.reference[d];
-              landed.properties[Population<dim>::velocity_offset + d] +=
-                walker.integral[d];
-            }
+            landed.properties[Population<dim>::velocity_offset + d] +=
+              walker.integral[d];
           dispersal.landed.push_back(landed);
           dispersal.accelerations.push_back(walker.acceleration);
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/feet.h>
 #include <thalweg/particles/particle_journeys.h>
 #include <thalweg/particles/streamline_convection.h>
@@ -8,28 +9,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// A field's values at reference coordinates of a cell.
-    template <int dim, int n_components, std::size_t n>
-    std::array<double, n_components>
-    interpolate(const std::array<double, n>   &nodal,
-                const std::array<double, dim> &reference)
-    {
-      std::array<double, n_components> value{};
-      for (unsigned int v = 0; v < (1 << dim); ++v)
-        {
-          double shape = 1;
-          for (unsigned int d = 0; d < dim; ++d)
-            shape *= (v >> d) & 1 ? reference[d] : 1. - reference[d];
-          for (unsigned int c = 0; c < n_components; ++c)
-            value[c] += shape * nodal[v * n_components + c];
-        }
-      return value;
-    }
-  } // namespace
-
-
   void
   ConvectionParameters::declare_parameters(const Section &section)
   {
@@ -161,17 +140,17 @@ namespace Thalweg
       graph,
       SteadyField<dim>(graph, velocity, settings.substep, -1.),
       settings);
-    return find_feet(
-      walk,
-      mesh_.triangulation().get_communicator(),
-      cells,
-      reference_points,
-      dt,
-      [&](const Walker<dim> &walker) {
-        return Sight<dim>{
-          interpolate<dim, dim>(velocity[walker.cell], walker.reference),
-          interpolate<dim, 1>(level_set[walker.cell], walker.reference)[0]};
-      });
+    return find_feet(walk,
+                     mesh_.triangulation().get_communicator(),
+                     cells,
+                     reference_points,
+                     dt,
+                     [&](const Walker<dim> &walker) {
+                       const auto reference = walker.reference_point();
+                       return Sight<dim>{
+                         Q1::value<dim, dim>(velocity[walker.cell], reference),
+                         Q1::value<dim>(level_set[walker.cell], reference)};
+                     });
   }
 } // namespace Thalweg
 

@@ -162,8 +162,10 @@ namespace Thalweg
   std::vector<FluidVolumes>
   SimulationParts<dim>::volumes_to_show() const
   {
-    auto       volumes = volumes_of_cells();
-    const auto drops   = dispersed_.volumes_of_cells();
+    auto volumes = volumes_of_cells();
+    if (!dispersed_phase_)
+      return volumes;
+    const auto drops = dispersed_.volumes_of_cells();
     for (unsigned int c = 0; c < volumes.size(); ++c)
       volumes[c][1] += drops[c][0];
     return volumes;
@@ -175,11 +177,7 @@ namespace Thalweg
   FluidVolumes
   SimulationParts<dim>::carried_volumes() const
   {
-    FluidVolumes sum = sum_over_ranks(volumes_of_cells(), context.communicator);
-    const FluidVolumes dispersed = dispersed_volumes();
-    for (unsigned int f = 0; f < 2; ++f)
-      sum[f] += dispersed[f];
-    return sum;
+    return sum_over_ranks(volumes_of_cells(), context.communicator);
   }
 
 

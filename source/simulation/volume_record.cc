@@ -17,7 +17,7 @@ namespace Thalweg
     const FluidVolumes     in = books.in(), out = books.out();
     const double correction      = phase.volume() - phase.volume_before_shift();
     const FluidVolumes dispersed = parts->dispersed_volumes();
-    const double       debt      = carried[0] - dispersed[0] - phase.volume();
+    const double       debt      = carried[0] - phase.volume();
 
     statistics.set("target volume 1 [m^d]", books.inside()[0]);
     statistics.set("correction of volume 1 [m^d]", correction);
@@ -28,7 +28,8 @@ namespace Thalweg
     for (unsigned int f = 0; f < 2; ++f)
       {
         const std::string fluid = "volume " + std::to_string(f + 1);
-        statistics.set("carried " + fluid + " [m^d]", carried[f]);
+        statistics.set("carried " + fluid + " [m^d]",
+                       carried[f] + dispersed[f]);
         statistics.set(fluid + " in [m^d]", in[f]);
         statistics.set(fluid + " out [m^d]", out[f]);
         statistics.set(fluid + " lost [m^d]", books.lost[f]);

@@ -17,13 +17,14 @@ namespace
   constexpr double gravity = 9.81;
 
   template <int dim>
-  void
+  Thalweg::Mesh<dim> &
   make_mesh(Thalweg::Mesh<dim> &mesh, const bool distorted)
   {
     make_box(mesh, 4);
     refine_around(mesh, middle_of_box<dim>(), .3);
     if (distorted)
       distort(mesh, .05);
+    return mesh;
   }
 
   /// Drops fall, bubbles rise with a velocity of 0.25 m/s.
@@ -83,17 +84,30 @@ namespace
     return nodal_scalar<dim>(mesh, [](const auto &) { return 1.; });
   }
 
+  /// A mesh full of drops that each have the same volume.
+  template <int dim>
+  struct Rain
+  {
+    Rain(const bool distorted, const unsigned int per_direction)
+      : mesh(MPI_COMM_WORLD)
+      , drops(make_mesh(mesh, distorted))
+    {
+      seed_plain(drops, per_direction);
+      make_water(drops, 1e-4);
+    }
+
+    Thalweg::Mesh<dim> mesh;
+    Population<dim>    drops;
+  };
+
   /// Drops fly through many cells in one step, and are exactly where a
   /// parabola leads.
   template <int dim>
   void
   follow_parabolas(const bool distorted)
   {
-    Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, distorted);
-    Population<dim> drops(mesh);
-    seed_plain(drops, 2);
-    make_water(drops, 1e-4);
+    Rain<dim> rain(distorted, 2);
+    auto &[mesh, drops]     = rain;
     const Point<dim> middle = middle_of_box<dim>();
     set_velocity<dim>(drops, [&](const Point<dim> &p) {
       Tensor<1, dim> v = middle - p;
@@ -140,11 +154,8 @@ namespace
   void
   slide_along_floor(const bool distorted)
   {
-    Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, distorted);
-    Population<dim> drops(mesh);
-    seed_plain(drops, 1);
-    make_water(drops, 1e-4);
+    Rain<dim> rain(distorted, 1);
+    auto &[mesh, drops] = rain;
     Tensor<1, dim> forward;
     forward[0]       = .2;
     forward[dim - 1] = -3.;
@@ -174,11 +185,8 @@ namespace
   void
   land_in_water()
   {
-    Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, false);
-    Population<dim> drops(mesh);
-    seed_plain(drops, 1);
-    make_water(drops, 1e-4);
+    Rain<dim> rain(false, 1);
+    auto &[mesh, drops] = rain;
     const double volume = total_volume(drops);
     const auto   level =
       nodal_scalar<dim>(mesh, [](const auto &p) { return p[dim - 1] - .3; });
@@ -324,11 +332,8 @@ TEST(DispersedPhaseMpi, BubblesGoWithTheFlowAndThroughIt)
 
 TEST(DispersedPhaseMpi, LeavesThroughOpenBoundaries)
 {
-  Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
-  make_mesh(mesh, false);
-  Population<2> drops(mesh);
-  seed_plain(drops, 1);
-  make_water(drops, 1e-4);
+  Rain<2> rain(false, 1);
+  auto &[mesh, drops] = rain;
   set_velocity<2>(drops, constant(Tensor<1, 2>({5., 0.})));
   const auto        n = drops.n_global_particles();
   DispersedPhase<2> spray(drops, substeps("rk2", .5), {{1, WallKind::open}});

@@ -34,17 +34,28 @@ namespace Thalweg
       return shape;
     }
 
-    /// The value at @p xi of a scalar with the given nodal ones.
+    /// The value at @p xi of a field with the given nodal ones, the components
+    /// of a node one behind the other.
+    template <int dim, int n_components>
+    inline std::array<double, n_components>
+    value(const std::array<double, n_components *(1 << dim)> &nodal,
+          const dealii::Point<dim>                           &xi)
+    {
+      const auto                       shape = values<dim>(xi);
+      std::array<double, n_components> sum{};
+      for (unsigned int v = 0; v < shape.size(); ++v)
+        for (unsigned int c = 0; c < n_components; ++c)
+          sum[c] += shape[v] * nodal[n_components * v + c];
+      return sum;
+    }
+
+    /// The same of a scalar.
     template <int dim>
     inline double
     value(const std::array<double, (1 << dim)> &nodal,
           const dealii::Point<dim>             &xi)
     {
-      const auto shape = values<dim>(xi);
-      double     sum   = 0;
-      for (unsigned int v = 0; v < shape.size(); ++v)
-        sum += shape[v] * nodal[v];
-      return sum;
+      return value<dim, 1>(nodal, xi)[0];
     }
 
     /// The mean of a cell's corners.

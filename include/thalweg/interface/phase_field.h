@@ -45,19 +45,19 @@ namespace Thalweg
      * @brief Takes the projected level set, makes it a distance, shifts it so
      * that fluid 0 keeps its volume, and builds the cut cells.
      * @param level_set owned values; negative in fluid 0
-     * @param hold_volume whether to shift; the parameter must allow it too
+     * @param shifts whether to shift; the parameter must allow it too
      */
     void
-    rebuild(const Vector &level_set, const bool hold_volume = true);
+    rebuild(const Vector &level_set, const bool shifts = true);
 
     /// The first half of rebuild(): level_set() is the distance then, and not
     /// yet shifted.
     void
     find_distance(const Vector &level_set);
 
-    /// The second half. @param hold_volume as for rebuild()
+    /// The second half. @param shifts as for rebuild()
     void
-    hold_volume(const bool hold_volume = true);
+    hold_volume(const bool shifts = true);
 
     /// The volume that fluid 0 is to have in all, m^dim, if nothing carries
     /// it.
@@ -149,6 +149,13 @@ namespace Thalweg
       return last_shift;
     }
 
+    /// Of the mesh, m.
+    double
+    shortest_edge() const
+    {
+      return shortest_edge_;
+    }
+
     /// The last shifts at the nodes, ghosted; nullptr if nothing was shifted
     /// body by body.
     const Vector *
@@ -198,11 +205,11 @@ namespace Thalweg
     std::function<typename VolumeCorrection<dim>::Carried()> carried;
     std::unique_ptr<VolumeCorrection<dim>>                   correction;
     std::array<double, 2>                                    debts{};
-    double                                                   shortest_edge = 0;
-    double                                                   domain_volume = 0;
-    double unshifted_volume                                                = 0;
-    double shifted_volume                                                  = 0;
-    double last_shift                                                      = 0;
+    double                                                   shortest_edge_ = 0;
+    double                                                   domain_volume  = 0;
+    double unshifted_volume                                                 = 0;
+    double shifted_volume                                                   = 0;
+    double last_shift                                                       = 0;
   };
 } // namespace Thalweg
 

@@ -71,6 +71,10 @@ namespace Thalweg
              const DispersedMotion<dim> &motion,
              const double                velocity_ahead);
 
+    /// Whether there are neither drops nor bubbles. Collective.
+    bool
+    is_empty() const;
+
     /// Merges those that are too many in a cell. Collective.
     void
     limit(const PopulationControl<dim> &control);

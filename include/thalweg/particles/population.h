@@ -47,6 +47,16 @@ namespace Thalweg
       return properties[fluid_offset] == 0. ? 0 : 1;
     }
 
+    template <typename Properties>
+    static std::array<double, dim>
+    velocity_of(const Properties &properties)
+    {
+      std::array<double, dim> velocity;
+      for (unsigned int d = 0; d < dim; ++d)
+        velocity[d] = properties[velocity_offset + d];
+      return velocity;
+    }
+
     /// Gives a particle a level set value and the fluid that this says.
     template <typename Properties>
     static void

@@ -147,6 +147,9 @@ namespace Thalweg
                                               double           &time,
                                               Coordinates      &gain) const
   {
+    if constexpr (Field::disperses)
+      if (!walker.is_bubble)
+        return flight(walker, time, gain);
     // Outside a strongly distorted cell its map may be folded: shorter
     // substeps keep the stages nearer.
     Coordinates end = substep<scheme, false>(walker, time, gain);
@@ -178,9 +181,6 @@ namespace Thalweg
           end = substep<scheme, true>(walker, time, gain);
         else
           end = careful_substep<scheme>(walker, time, gain);
-        if constexpr (Field::disperses)
-          if (!walker.is_bubble && !cell_graph.cell(walker.cell).axis_parallel)
-            end = flight(walker, time, gain);
         walker.time -= time;
         if constexpr (Field::accelerates)
           for (unsigned int d = 0; d < dim; ++d)

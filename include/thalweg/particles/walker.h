@@ -71,6 +71,15 @@ namespace Thalweg
     std::uint8_t               face;
     Fate                       fate;
 
+    dealii::Point<dim>
+    reference_point() const
+    {
+      dealii::Point<dim> point;
+      for (unsigned int d = 0; d < dim; ++d)
+        point[d] = reference[d];
+      return point;
+    }
+
     /// One that is to walk for the time @p time from a point of a cell.
     static Walker
     start(const unsigned int        cell,

@@ -98,7 +98,7 @@ namespace Thalweg
       return exchange->books();
     }
 
-    /// What particles, drops and bubbles carry of both fluids, with what
+    /// What particles but drops and bubbles carry of both fluids, with what
     /// waits at boundaries for new ones, m^dim. Collective.
     FluidVolumes
     carried_volumes() const;
@@ -108,7 +108,7 @@ namespace Thalweg
     dispersed_volumes() const;
 
   private:
-    /// The same in each owned cell, but for drops and bubbles.
+    /// The same as carried_volumes() in each owned cell.
     std::vector<FluidVolumes>
     volumes_of_cells() const;
 

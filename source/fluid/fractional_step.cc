@@ -235,9 +235,10 @@ namespace Thalweg
           dealii::Tensor<1, dim> velocity;
           for (unsigned int d = 0; d < dim; ++d)
             velocity[d] = v.local_element(dim * node.node + d);
-          if (velocity * node.normal < 0)
-            p.nodal.local_element(node.node) -=
-              .5 * mass->density(node.node) * velocity.norm_square();
+          const double inward =
+            std::min(velocity * node.normal / node.normal.norm(), 0.);
+          p.nodal.local_element(node.node) -=
+            .5 * mass->density(node.node) * inward * inward;
         }
     space->interpolate(p.nodal, 1);
   }

@@ -88,6 +88,17 @@ namespace Thalweg
       return n;
     }
 
+    /// What was at rest outside comes in along the normal.
+    template <int dim>
+    dealii::Tensor<1, dim>
+    inward_part(const Face<dim> &face, const dealii::Tensor<1, dim> &velocity)
+    {
+      dealii::Tensor<1, dim> normal;
+      for (const auto &part : face.normals_times_weight)
+        normal += part;
+      return std::min(velocity * normal, 0.) / normal.norm_square() * normal;
+    }
+
     /// Shares a volume among the fluids in proportion to @p parts.
     template <typename Number>
     FluidVolumes
@@ -258,11 +269,15 @@ namespace Thalweg
               time,
               {}};
             const auto on_face = before_face<dim>(face, square, per_d, 0.);
-            const auto shape   = Q1::values<dim>(on_face);
-            for (unsigned int v = 0; v < shape.size(); ++v)
-              for (unsigned int d = 0; d < dim; ++d)
-                particle.properties[Population<dim>::velocity_offset + d] +=
-                  shape[v] * cell_velocity[face.cell][dim * v + d];
+            const auto values =
+              Q1::value<dim, dim>(cell_velocity[face.cell], on_face);
+            dealii::Tensor<1, dim> velocity(
+              dealii::make_array_view(values.begin(), values.end()));
+            if (boundary.conditions().at(face.id).kind == BoundaryKind::open)
+              velocity = inward_part(face, velocity);
+            for (unsigned int d = 0; d < dim; ++d)
+              particle.properties[Population<dim>::velocity_offset + d] =
+                velocity[d];
             const double value = inflow.value(face, on_face);
             Population<dim>::set_level_set(particle.properties,
                                            (value < 0) == (fluid == 0)

@@ -21,11 +21,13 @@ namespace
   template <int dim>
   struct Channel
   {
-    Channel()
-      : scene(unit_box<dim>(6) + section("Boundary conditions",
-                                         {"Velocity = left: 0.3; 0" +
-                                            std::string(dim == 3 ? "; 0" : ""),
-                                          "Open = right: 0"}))
+    /// @param along, across velocity, the latter besides on the left
+    explicit Channel(const double along = .3, const double across = 0.)
+      : scene(unit_box<dim>(6) +
+              section("Boundary conditions",
+                      {"Velocity = left: " + std::to_string(along) + "; 0" +
+                         std::string(dim == 3 ? "; 0" : ""),
+                       "Open = right: 0"}))
       , convection(scene.mesh,
                    {},
                    {{scene.mesh.boundary_id("left"), WallKind::open},
@@ -37,9 +39,10 @@ namespace
            {scene.mesh.boundary_id("right"), [](const auto &) { return 1.; }}},
           convection,
           3)
-      , velocity(scene.velocity([](const auto &) {
+      , velocity(scene.velocity([along, across](const auto &) {
         dealii::Tensor<1, dim> u;
-        u[0] = .3;
+        u[0]       = along;
+        u[dim - 1] = across;
         return u;
       }))
     {
@@ -133,4 +136,25 @@ TYPED_TEST(BoundaryExchangeMpi, WhatWaitsComesIntoTheNextRun)
   EXPECT_NEAR(sum_over_ranks(waiting, MPI_COMM_WORLD)[0], inside[0], 1e-15);
   EXPECT_EQ(other.exchange.books().inside()[0],
             channel.exchange.books().inside()[0]);
+}
+
+
+
+TYPED_TEST(BoundaryExchangeMpi, WhatWasAtRestOutsideComesInAlongTheNormal)
+{
+  constexpr int dim = TypeParam::value;
+  Channel<dim>  channel(-.3, .2);
+  for (unsigned int i = 0; i < 10; ++i)
+    channel.step(.5 / 6 / .3);
+  unsigned int n = 0;
+  for (const auto &particle : channel.scene.population->handler())
+    {
+      const auto properties = particle.get_properties();
+      if (properties[0] == 0.)
+        continue; // there from the start
+      ++n;
+      EXPECT_NEAR(properties[0], -.3, 1e-12);
+      EXPECT_NEAR(properties[dim - 1], 0., 1e-12);
+    }
+  EXPECT_GT(dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD), 50U);
 }

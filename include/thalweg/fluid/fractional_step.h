@@ -71,10 +71,10 @@ namespace Thalweg
 
     /**
      * The pressure at open boundaries. Where fluid comes in it has been at rest
-     * outside, so that what is given is its total pressure, and rho |V|^2 / 2
-     * is spent on its velocity. Without this a flow that turns round at an
-     * open side gets its energy anew each time, and air above a splash is blown
-     * up to any velocity.
+     * outside and comes in along the normal, so that what is given is its
+     * total pressure, and rho (V.n)^2 / 2 is spent on its velocity. Without
+     * this a flow that turns round at an open side gets its energy anew each
+     * time, and air above a splash is blown up to any velocity.
      */
     void
     apply_open_boundary();

@@ -33,6 +33,12 @@ namespace Thalweg
 
 
 
+  // Here, and not in each translation unit: it makes the code of elements.
+  template <int dim>
+  LagrangeSpace<dim>::~LagrangeSpace() = default;
+
+
+
   template <int dim>
   void
   LagrangeSpace<dim>::number_cells()

@@ -40,6 +40,11 @@ namespace Thalweg
 
 
   template <int dim>
+  NodeSpace<dim>::~NodeSpace() = default;
+
+
+
+  template <int dim>
   void
   NodeSpace<dim>::ask_for_positions()
   {

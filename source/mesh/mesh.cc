@@ -13,6 +13,12 @@ namespace Thalweg
 
 
 
+  // Here, and not in each translation unit: it makes the code of mappings.
+  template <int dim>
+  Mesh<dim>::~Mesh() = default;
+
+
+
   template <int dim>
   void
   Mesh<dim>::adopt(std::unique_ptr<Triangulation> made,

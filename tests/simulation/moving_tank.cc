@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "run_case.h"
 #include "support/input.h"
+#include "support/run_case.h"
 
 namespace
 {

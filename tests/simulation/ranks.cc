@@ -2,8 +2,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "run_case.h"
 #include "support/input.h"
+#include "support/run_case.h"
 
 namespace
 {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "run_case.h"
 #include "support/flow_scene.h"
+#include "support/run_case.h"
 
 namespace
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
-#include "run_case.h"
 #include "support/input.h"
+#include "support/run_case.h"
 
 
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "run_case.h"
 #include "support/flow_scene.h"
+#include "support/run_case.h"
 
 namespace
 {

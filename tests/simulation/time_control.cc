@@ -6,9 +6,9 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "run_case.h"
 #include "support/complaint.h"
 #include "support/input.h"
+#include "support/run_case.h"
 
 namespace
 {

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "run_case.h"
 #include "support/input.h"
 #include "support/irregular_mesh.h"
+#include "support/run_case.h"
 
 namespace
 {

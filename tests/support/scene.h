@@ -31,33 +31,9 @@ struct Scene
 
   /// @param settings the text of an input file
   /// @param change what happens to the mesh before anything stands on it
-  explicit Scene(const std::string &settings, const MeshChange &change = {})
-    : mesh(MPI_COMM_WORLD)
-  {
-    {
-      const Thalweg::Section root(prm);
-      mesh_parameters.declare(root);
-      fluids.declare_parameters(root);
-      boundary_parameters.declare(root);
-      forces.declare_parameters(root);
-      interface.declare(root);
-    }
-    prm.parse_input_from_string(settings);
-    fluids.check();
-    forces.initialize();
-    mesh.create(mesh_parameters);
-    if (change)
-      change(mesh);
-    space = std::make_unique<Thalweg::NodeSpace<dim>>(mesh);
-    conditions =
-      std::make_unique<Thalweg::BoundaryConditions<dim>>(boundary_parameters,
-                                                         mesh);
-    boundary =
-      std::make_unique<Thalweg::BoundaryNodes<dim>>(*space, *conditions);
-    phase =
-      std::make_unique<Thalweg::PhaseField<dim>>(*space, fluids, interface);
-    population = std::make_unique<Thalweg::Population<dim>>(mesh);
-  }
+  explicit Scene(const std::string &settings, const MeshChange &change = {});
+
+  ~Scene();
 
   /// The nodal values of @p function, ghosted and consistent.
   Thalweg::Vector
@@ -129,6 +105,9 @@ struct Scene
   std::unique_ptr<Thalweg::PhaseField<dim>>         phase;
   std::unique_ptr<Thalweg::Population<dim>>         population;
 };
+
+extern template struct Scene<2>;
+extern template struct Scene<3>;
 
 
 

@@ -34,6 +34,8 @@ namespace Thalweg
                   const unsigned int          degree,
                   const dealii::Mapping<dim> &mapping);
 
+    ~LagrangeSpace();
+
     const Mesh<dim> &
     mesh() const
     {

@@ -24,6 +24,8 @@ namespace Thalweg
 
     explicit NodeSpace(const Mesh<dim> &mesh);
 
+    ~NodeSpace();
+
     /// Local (ghosted) numbers of the nodes of a cell of the graph, in
     /// deal.II's order of vertices.
     const std::array<unsigned int, n_vertices> &

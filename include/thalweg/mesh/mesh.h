@@ -29,6 +29,8 @@ namespace Thalweg
     /// A mesh of p4est that is still empty.
     explicit Mesh(const MPI_Comm communicator);
 
+    ~Mesh();
+
     /// Creates the coarse mesh and joins periodic boundaries, no more; for
     /// checks of the input. Throws as create() does.
     void

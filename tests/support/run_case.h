@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef tests_simulation_run_case_h
-#define tests_simulation_run_case_h
+#ifndef tests_support_run_case_h
+#define tests_support_run_case_h
 
 #include <thalweg/simulation/simulation.h>
 
@@ -16,20 +16,9 @@ template <int dim>
 struct RunCase
 {
   explicit RunCase(const std::string &text,
-                   const MPI_Comm     communicator = MPI_COMM_WORLD)
-    : context(communicator)
-  {
-    context.log = Thalweg::Log(false);
-    {
-      const Thalweg::Section root(prm);
-      parameters.declare(root);
-    }
-    prm.parse_input_from_string(text);
-    simulation = std::make_unique<Thalweg::Simulation<dim>>(communicator,
-                                                            parameters,
-                                                            context);
-    simulation->run();
-  }
+                   const MPI_Comm     communicator = MPI_COMM_WORLD);
+
+  ~RunCase();
 
   /// A value of the last row of the statistics.
   double
@@ -43,5 +32,8 @@ struct RunCase
   Thalweg::Context                          context;
   std::unique_ptr<Thalweg::Simulation<dim>> simulation;
 };
+
+extern template struct RunCase<2>;
+extern template struct RunCase<3>;
 
 #endif

@@ -91,8 +91,12 @@ class Place:
                 and without not in path.parts}
 
     def checkpoints(self, name):
-        """The checkpoints, the oldest first."""
-        return sorted((self.directory / name / "checkpoints").glob("step_*"))
+        """The whole checkpoints, the oldest first; not those that a run was
+        killed in the middle of."""
+        directory = self.directory / name / "checkpoints"
+        return sorted((path for path in directory.glob("step_*")
+                       if re.fullmatch(r"step_\d+", path.name)),
+                      key=lambda path: int(path.name.split("_")[1]))
 
     def is_over(self, name):
         """Whether the run called NAME came to its end."""

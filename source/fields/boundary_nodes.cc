@@ -176,7 +176,25 @@ namespace Thalweg
         }
     for (const auto &[node, entry] : pressures)
       if (!space.is_dependent(node))
-        open_nodes.push_back(entry);
+        {
+          open_nodes.push_back(entry);
+          auto &normal = open_nodes.back().normal;
+          // Those of cells that touch each other there alone may cancel.
+          if (normal.norm() > 0)
+            normal /= normal.norm();
+        }
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  BoundaryNodes<dim>::Face::area() const
+  {
+    dealii::Tensor<1, dim> sum;
+    for (const auto &part : normals_times_weight)
+      sum += part;
+    return sum;
   }
 
 

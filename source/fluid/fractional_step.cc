@@ -235,8 +235,7 @@ namespace Thalweg
           dealii::Tensor<1, dim> velocity;
           for (unsigned int d = 0; d < dim; ++d)
             velocity[d] = v.local_element(dim * node.node + d);
-          const double inward =
-            std::min(velocity * node.normal / node.normal.norm(), 0.);
+          const double inward = std::min(velocity * node.normal, 0.);
           p.nodal.local_element(node.node) -=
             .5 * mass->density(node.node) * inward * inward;
         }

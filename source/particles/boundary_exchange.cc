@@ -93,9 +93,7 @@ namespace Thalweg
     dealii::Tensor<1, dim>
     inward_part(const Face<dim> &face, const dealii::Tensor<1, dim> &velocity)
     {
-      dealii::Tensor<1, dim> normal;
-      for (const auto &part : face.normals_times_weight)
-        normal += part;
+      const auto normal = face.area();
       return std::min(velocity * normal, 0.) / normal.norm_square() * normal;
     }
 
@@ -244,6 +242,8 @@ namespace Thalweg
     double &waiting = accounts[number].waiting[fluid];
     if (waiting < (1. - reference_round_off) * whole)
       return;
+    const bool was_at_rest =
+      boundary.conditions().at(face.id).kind == BoundaryKind::open;
     // Of an interface that crosses the face the squares of this fluid.
     std::vector<unsigned int> squares;
     for (unsigned int i = 0; i < dealii::Utilities::pow(per_d, dim - 1); ++i)
@@ -273,7 +273,7 @@ namespace Thalweg
               Q1::value<dim, dim>(cell_velocity[face.cell], on_face);
             dealii::Tensor<1, dim> velocity(
               dealii::make_array_view(values.begin(), values.end()));
-            if (boundary.conditions().at(face.id).kind == BoundaryKind::open)
+            if (was_at_rest)
               velocity = inward_part(face, velocity);
             for (unsigned int d = 0; d < dim; ++d)
               particle.properties[Population<dim>::velocity_offset + d] =

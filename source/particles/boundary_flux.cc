@@ -68,10 +68,7 @@ namespace Thalweg
           sums[0] += fluxes[i].out - in;
           if (boundary.conditions().at(faces[i].id).kind != BoundaryKind::open)
             continue;
-          dealii::Tensor<1, dim> area;
-          for (const auto &part : faces[i].normals_times_weight)
-            area += part;
-          areas[i] = area.norm();
+          areas[i] = faces[i].area().norm();
           sums[1] += fluxes[i].out + in;
           sums[2] += areas[i];
         }

@@ -237,6 +237,9 @@ TYPED_TEST(BoundaryNodesMpi, OpenNodesAreThoseOfTheBoundary)
     {
       EXPECT_NEAR(node.position[1], 1., near);
       EXPECT_EQ(node.id, scene.mesh.boundary_id("top"));
+      EXPECT_NEAR((node.normal - dealii::Point<dim>::unit_vector(1)).norm(),
+                  0.,
+                  near);
       if (node.node < is_open.size())
         is_open[node.node] = true;
     }

@@ -21,7 +21,8 @@ namespace
   template <int dim>
   struct Channel
   {
-    /// @param along, across velocity, the latter besides on the left
+    /// @param along velocity from the left to the right, given on the left
+    /// @param across velocity of the field along both sides, not given there
     explicit Channel(const double along = .3, const double across = 0.)
       : scene(unit_box<dim>(6) +
               section("Boundary conditions",

@@ -10,7 +10,7 @@ import signal
 import subprocess
 import time
 
-from place import Failure, steps
+from place import Failure, step_of, steps
 
 OFTEN = ["--set", "Checkpoint/Steps between=2"]
 
@@ -84,8 +84,7 @@ def terminated(place, arguments):
             raise Failure(f"{name} is not named:\n{said}")
         if not len(place.table(name)) < len(place.table("straight")):
             raise Failure(f"the run was over before {name} came")
-        newest = int(place.checkpoints(name)[-1].name.split("_")[1])
-        if newest != len(place.table(name)):
+        if step_of(place.checkpoints(name)[-1]) != len(place.table(name)):
             raise Failure(f"{name}: the last step is not saved")
         place.run(name, "--resume", *steps(150))
         place.expect_equal("straight", name)

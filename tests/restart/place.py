@@ -19,6 +19,11 @@ class Failure(Exception):
     """What is wrong, in a sentence."""
 
 
+def step_of(checkpoint):
+    """The step in the name of a checkpoint."""
+    return int(checkpoint.name.split("_")[1])
+
+
 class Place:
     """A directory with the input file, and the runs in it."""
 
@@ -96,7 +101,7 @@ class Place:
         directory = self.directory / name / "checkpoints"
         return sorted((path for path in directory.glob("step_*")
                        if re.fullmatch(r"step_\d+", path.name)),
-                      key=lambda path: int(path.name.split("_")[1]))
+                      key=step_of)
 
     def is_over(self, name):
         """Whether the run called NAME came to its end."""

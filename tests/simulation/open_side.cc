@@ -10,12 +10,13 @@ TEST(OpenSide, WaterThatComesInAboveTheLevelFalls)
   // A wave runs out at a side with the pressure of level water, and water
   // instead of air comes in above it, a curtain as thick as a cell.
   RunCase<2> run(
-    "subsection Geometry\n" +
-    section("box",
-            {"Lower corner = 0, 0",
-             "Upper corner = 2, 0.5",
-             "Repetitions  = 40, 10"}) +
-    "end\n" + section("Time", {"End time = 2", "Courant number = 1"}) +
+    section("Geometry",
+            {},
+            section("box",
+                    {"Lower corner = 0, 0",
+                     "Upper corner = 2, 0.5",
+                     "Repetitions  = 40, 10"})) +
+    section("Time", {"End time = 2", "Courant number = 1"}) +
     section("Body forces", {"Gravity = 0, -9.81"}) +
     section("Initial conditions",
             {"Level set = y - 0.22 - 0.05*exp(-20*(x - 0.7)^2)"}) +

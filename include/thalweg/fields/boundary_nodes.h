@@ -65,6 +65,10 @@ namespace Thalweg
       dealii::types::boundary_id          id;
       std::vector<dealii::Point<dim>>     reference_points;
       std::vector<dealii::Tensor<1, dim>> normals_times_weight; ///< outward
+
+      /// The outward normal times the face's measure, m^(dim-1).
+      dealii::Tensor<1, dim>
+      area() const;
     };
 
     /// The faces of locally owned cells at boundaries where fluid can pass.
@@ -80,7 +84,7 @@ namespace Thalweg
       unsigned int               node;
       dealii::Point<dim>         position;
       dealii::types::boundary_id id;
-      dealii::Tensor<1, dim>     normal; ///< outward, not of length one
+      dealii::Tensor<1, dim>     normal; ///< outward, or 0 if sides cancel
     };
 
     /// The nodes, owned and ghost, at open boundaries.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/files.h>
 #include <thalweg/core/log.h>
+#include <thalweg/core/plain_text.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -35,7 +36,7 @@ namespace Thalweg
   Log::warning(const std::string &text)
   {
     if (active)
-      write(std::cerr, "Warning: " + text);
+      write(std::cerr, "Warning: " + bounded_message(text));
   }
 
 

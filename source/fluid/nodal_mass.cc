@@ -22,6 +22,7 @@ namespace Thalweg
         }
     space.initialize_scalar(measure);
     space.initialize_scalar(mass);
+    space.initialize_scalar(inverse);
     space.initialize_velocity(difference);
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
@@ -53,6 +54,9 @@ namespace Thalweg
           mass.local_element(space.nodes(c)[i]) += local[i];
       }
     space.fold(mass, 1);
+    for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
+      inverse.local_element(n) =
+        space.is_dependent(n) ? 0. : 1. / mass.local_element(n);
   }
 
 
@@ -72,15 +76,20 @@ namespace Thalweg
           cut_index < 0 ? table : phase.cut_cells()[cut_index].mass_matrix;
         const double factor =
           cut_index < 0 ? graph.cell(c).measure * phase.fluid(c).density : 1.;
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          {
-            dealii::Tensor<1, dim> sum;
-            for (unsigned int j = 0; j < n_vertices; ++j)
-              for (unsigned int d = 0; d < dim; ++d)
-                sum[d] += matrix[i][j] * (a[dim * i + d] - a[dim * j + d]);
+        std::array<double, dim * n_vertices> sums{};
+        for (unsigned int i = 1; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < i; ++j)
             for (unsigned int d = 0; d < dim; ++d)
-              result.local_element(dim * nodes[i] + d) += factor * sum[d];
-          }
+              {
+                const double pair =
+                  matrix[i][j] * (a[dim * i + d] - a[dim * j + d]);
+                sums[dim * i + d] += pair;
+                sums[dim * j + d] -= pair;
+              }
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            result.local_element(dim * nodes[i] + d) +=
+              factor * sums[dim * i + d];
       }
   }
 
@@ -92,10 +101,7 @@ namespace Thalweg
   {
     for (unsigned int n = 0; n < mass.locally_owned_size(); ++n)
       for (unsigned int d = 0; d < dim; ++d)
-        vector.local_element(dim * n + d) =
-          space.is_dependent(n)
-            ? 0.
-            : vector.local_element(dim * n + d) / mass.local_element(n);
+        vector.local_element(dim * n + d) *= inverse.local_element(n);
   }
 
 

@@ -131,17 +131,20 @@ namespace Thalweg
     const double far    = beyond * graph.cell(cell).edges().first;
     const auto [least, most] =
       std::minmax_element(values.begin(), values.end());
-    if (*least >= -far && *most <= far)
+    const std::array<bool, 2> is_possible{{*most > far, *least < -far}};
+    if (!is_possible[0] && !is_possible[1])
       return;
     const auto inside =
       particles.handler().particles_in_cell(graph.iterator(cell));
     for (auto particle = inside.begin(); particle != inside.end(); ++particle)
       {
+        const unsigned int fluid =
+          Population<dim>::fluid_of(particle->get_properties());
+        if (!is_possible[fluid])
+          continue;
         const double phi =
           Q1::value<dim>(values, particle->get_reference_location());
-        const bool is_first =
-          Population<dim>::fluid_of(particle->get_properties()) == 0;
-        if (is_first ? phi > far : phi < -far)
+        if (fluid == 0 ? phi > far : phi < -far)
           migration.add(particle, cell);
       }
   }

@@ -19,6 +19,8 @@ namespace Thalweg
   {
     constexpr unsigned int n_kept      = 2;
     const std::string      part_ending = ".part";
+    /// Of one that makes room for another of the same step.
+    const std::string replaced_ending = ".replaced";
 
     std::string
     name_of(const unsigned int step)
@@ -63,18 +65,39 @@ namespace Thalweg
 
 
 
-    /// Removes what runs that were killed have left half.
+    /// The path without its last ending, if that is @p ending; or nothing.
+    fs::path
+    without(const fs::path &path, const std::string &ending)
+    {
+      return path.extension() == ending ? fs::path(path).replace_extension("")
+                                        : fs::path();
+    }
+
+
+
+    /// Tidies up after runs that were killed while they wrote a checkpoint:
+    /// what is half written goes, and one that was to be replaced by another
+    /// of the same step comes back if that did not take its place.
     void
-    remove_parts(const std::string &root)
+    tidy_up(const std::string &root)
     {
       std::vector<fs::path> parts;
       std::error_code       error;
       for (const auto &entry : fs::directory_iterator(root, error))
-        if (entry.path().extension() == part_ending &&
-            step_of(entry.path().stem().string()).second)
+        if (entry.path().extension() == part_ending)
           parts.push_back(entry.path());
       for (const fs::path &part : parts)
-        fs::remove_all(part, error);
+        {
+          const fs::path name     = without(part, part_ending);
+          const fs::path original = without(name, replaced_ending);
+          const fs::path place    = original.empty() ? name : original;
+          if (!step_of(place.filename().string()).second)
+            continue;
+          if (!original.empty() && !fs::exists(place, error))
+            rename_file(part, place);
+          else
+            fs::remove_all(part, error);
+        }
     }
 
 
@@ -115,7 +138,7 @@ namespace Thalweg
       {
         on_root(context.communicator, [&]() {
           make_directory(root);
-          remove_parts(root);
+          tidy_up(root);
           make_directory(part);
         });
         write_files(part, outline, content);
@@ -173,14 +196,19 @@ namespace Thalweg
                              const unsigned int step) const
   {
     const std::string place    = root + "/" + name_of(step);
-    const std::string replaced = place + ".replaced" + part_ending;
+    const std::string replaced = place + replaced_ending + part_ending;
     std::error_code   error;
     sync_directory(directory);
-    fs::remove_all(replaced, error);
-    if (fs::exists(place, error))
-      rename_file(place, replaced);
-    rename_file(directory, place);
+    if (!fs::exists(place, error))
+      rename_file(directory, place);
+    else if (!exchange_names(directory, place))
+      {
+        // Killed in between, the next run finds the old one.
+        rename_file(place, replaced);
+        rename_file(directory, place);
+      }
     sync_directory(root);
+    fs::remove_all(directory, error);
     fs::remove_all(replaced, error);
     unsigned int n = 0;
     for (const auto &[other, path] : all_checkpoints(root))
@@ -239,6 +267,7 @@ namespace Thalweg
   CheckpointStore::find_newest()
   {
     namespace MPI = dealii::Utilities::MPI;
+    on_root(context.communicator, [&]() { tidy_up(root); });
     const std::vector<std::pair<unsigned int, std::string>> candidates =
       MPI::broadcast(context.communicator,
                      context.is_root

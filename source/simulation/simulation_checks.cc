@@ -16,11 +16,7 @@ namespace Thalweg
       std::to_string(mesh.triangulation().n_global_active_cells()) +
       " cells, " + std::to_string(parts->nodes().n_dofs()) +
       " degrees of freedom, " +
-      std::to_string(parts->particles().n_global_particles()) +
-      " particles on " +
-      std::to_string(
-        dealii::Utilities::MPI::n_mpi_processes(context.communicator)) +
-      " processes");
+      std::to_string(parts->particles().n_global_particles()) + " particles");
     const std::string warning = parameters.time.warning(viscous);
     if (!warning.empty())
       context.log.warning(warning);

@@ -17,6 +17,10 @@ namespace Thalweg
     /// square of what is fitted.
     constexpr double round_off = 1e-12;
 
+    /// Below this weight no particle is near enough to a node to speak for
+    /// it.
+    constexpr double negligible_weight = 1e-10;
+
 
 
     /// A node that a cell's particles speak to: its weight is a combination
@@ -67,10 +71,30 @@ namespace Thalweg
         sums[k] += weight * phi * phi;
       }
 
-      /// The level set at the node, or nothing if there are too few particles.
+      /// The level set at the node, or nothing if there are no particles.
       std::optional<double>
       value() const;
+
+    private:
+      /// Where the values that are cut off begin.
+      static constexpr unsigned int cut_off = size - 1 - n;
+
+      /// What value() is where there are too few particles for a plane: the
+      /// mean of the values that are cut off (Eq. 69).
+      std::optional<double>
+      mean() const;
     };
+
+
+
+    template <int dim>
+    std::optional<double>
+    Moments<dim>::mean() const
+    {
+      if (sums[0] > negligible_weight)
+        return sums[cut_off] / sums[0];
+      return {};
+    }
 
 
 
@@ -90,7 +114,7 @@ namespace Thalweg
         cut_off_load[i] = sums[k++];
       const PlaneFit<n> fit(matrix);
       if (!fit.is_determined())
-        return {};
+        return mean();
 
       double spread = 0.;
       for (unsigned int i = 1; i < n; ++i)
@@ -131,11 +155,6 @@ namespace Thalweg
   class LeastSquares : public Projection<dim>
   {
   public:
-    LeastSquares()
-      : average(
-          Registry<Projection<dim>>::entries().at("weighted average").make())
-    {}
-
     void
     declare_parameters(const Section &) override
     {}
@@ -163,8 +182,6 @@ namespace Thalweg
     find_targets(const NodeSpace<dim>     &space,
                  const unsigned int        cell,
                  std::vector<Target<dim>> &targets);
-
-    std::unique_ptr<Projection<dim>> average;
   };
 
 
@@ -279,8 +296,7 @@ namespace Thalweg
                              Vector                &velocity,
                              Vector                &level_set) const
   {
-    average->band = this->band;
-    average->project(population, space, fluids, velocity, level_set);
+    project_momentum(population, space, fluids, velocity);
 
     // One length on all processes, since they add up their moments.
     const double length = dealii::Utilities::MPI::min(

@@ -23,40 +23,41 @@ namespace Thalweg
 
 
 
-    /// Adds the particles of a cell. @param mean of them, or nullptr in the
-    /// first pass
-    template <int dim>
+    /// Adds the particles of a cell.
+    /// @tparam is_first without a mean that would be known
+    template <int dim, bool is_first>
     void
-    add_cell(const Population<dim> &population,
-             const NodeSpace<dim>  &space,
-             const Fluids          &fluids,
-             const unsigned int     cell,
-             const Vector          *mean,
-             Sums                  &sums)
+    add_cell(const Population<dim>       &population,
+             const NodeSpace<dim>        &space,
+             const std::array<double, 2> &densities,
+             const unsigned int           cell,
+             const Vector                &mean,
+             Sums                        &sums)
     {
       constexpr unsigned int      n     = 1 << dim;
       const auto                 &nodes = space.nodes(cell);
       std::array<double, dim * n> known{}, momentum{};
       std::array<double, n>       weight{}, mass{};
-      if (mean)
-        known = gather_velocity<dim>(*mean, nodes);
+      if constexpr (!is_first)
+        known = gather_velocity<dim>(mean, nodes);
       for (const auto &particle : population.handler().particles_in_cell(
              population.mesh().graph().iterator(cell)))
         {
           const auto shape = Q1::values<dim>(particle.get_reference_location());
           const auto properties = particle.get_properties();
           const double density =
-            fluids.of_particle(Population<dim>::fluid_of(properties)).density;
+            densities[Population<dim>::fluid_of(properties)];
           for (unsigned int d = 0; d < dim; ++d)
             {
               double left = properties[Population<dim>::velocity_offset + d];
-              for (unsigned int v = 0; v < n; ++v)
-                left -= shape[v] * known[dim * v + d];
+              if constexpr (!is_first)
+                for (unsigned int v = 0; v < n; ++v)
+                  left -= shape[v] * known[dim * v + d];
               left *= density;
               for (unsigned int v = 0; v < n; ++v)
                 momentum[dim * v + d] += shape[v] * left;
             }
-          if (!mean)
+          if constexpr (is_first)
             for (unsigned int v = 0; v < n; ++v)
               {
                 weight[v] += shape[v];
@@ -68,11 +69,33 @@ namespace Thalweg
           for (unsigned int d = 0; d < dim; ++d)
             sums.momentum.local_element(dim * nodes[v] + d) +=
               momentum[dim * v + d];
-          if (!mean)
+          if constexpr (is_first)
             {
               sums.weight.local_element(nodes[v]) += weight[v];
               sums.mass.local_element(nodes[v]) += mass[v];
             }
+        }
+    }
+
+
+
+    /// One pass over all particles, the second with the mean of the first.
+    template <int dim, bool is_first>
+    void
+    add_cells(const Population<dim>       &population,
+              const NodeSpace<dim>        &space,
+              const std::array<double, 2> &densities,
+              const Vector                &mean,
+              Sums                        &sums)
+    {
+      sums.momentum = 0.;
+      for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+        add_cell<dim, is_first>(population, space, densities, c, mean, sums);
+      space.fold(sums.momentum, dim);
+      if constexpr (is_first)
+        {
+          space.fold(sums.weight, 1);
+          space.fold(sums.mass, 1);
         }
     }
   } // namespace
@@ -90,18 +113,14 @@ namespace Thalweg
     space.initialize_scalar(sums.weight);
     space.initialize_scalar(sums.mass);
     space.initialize_velocity(sums.momentum);
+    const std::array<double, 2> densities{
+      {fluids.of_particle(0).density, fluids.of_particle(1).density}};
     for (const bool is_first : {true, false})
       {
-        sums.momentum = 0.;
-        for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-          add_cell(
-            population, space, fluids, c, is_first ? nullptr : &velocity, sums);
-        space.fold(sums.momentum, dim);
         if (is_first)
-          {
-            space.fold(sums.weight, 1);
-            space.fold(sums.mass, 1);
-          }
+          add_cells<dim, true>(population, space, densities, velocity, sums);
+        else
+          add_cells<dim, false>(population, space, densities, velocity, sums);
         velocity.zero_out_ghost_values();
         for (unsigned int n = 0; n < sums.weight.locally_owned_size(); ++n)
           if (sums.weight.local_element(n) > negligible_weight)

@@ -125,6 +125,30 @@ TEST(CheckpointStoreMpi, SortsByNumber)
 
 
 
+// Killed while one of the same step took its place: there is one of the two.
+TEST(CheckpointStoreMpi, FindsTheOneThatWasBeingReplaced)
+{
+  Store store("replaced");
+  store.write(1);
+  store.write(2);
+  EXPECT_EQ(store.write(2), "");
+  EXPECT_EQ(store.names(), (Names{"step_000001", "step_000002"}));
+  on_root(store.context.communicator, [&]() {
+    fs::rename(store.path("step_000002"),
+               store.path("step_000002.replaced.part"));
+    fs::create_directory(store.path("step_000002.part"));
+  });
+  EXPECT_EQ(store.newest(), 2);
+  EXPECT_EQ(store.names(), (Names{"step_000001", "step_000002"}));
+  on_root(store.context.communicator, [&]() {
+    fs::create_directory(store.path("step_000002.replaced.part"));
+  });
+  EXPECT_EQ(store.newest(), 2);
+  EXPECT_EQ(store.names(), (Names{"step_000001", "step_000002"}));
+}
+
+
+
 TEST(CheckpointStoreMpi, LeavesWhatIsNotItsOwn)
 {
   Store store("foreign");

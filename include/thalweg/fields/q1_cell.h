@@ -22,16 +22,25 @@ namespace Thalweg
     inline std::array<double, (1 << dim)>
     values(const dealii::Point<dim> &xi)
     {
-      std::array<double, (1 << dim)> shape;
-      shape[0]       = 1.;
-      unsigned int n = 1;
-      for (unsigned int d = 0; d < dim; ++d, n *= 2)
-        for (unsigned int v = 0; v < n; ++v)
-          {
-            shape[v + n] = shape[v] * xi[d];
-            shape[v] *= 1. - xi[d];
-          }
-      return shape;
+      // Written out, since compilers make of a loop over the directions one
+      // that waits for its own results in memory.
+      static_assert(dim == 2 || dim == 3);
+      const double x[2] = {1. - xi[0], xi[0]}, y[2] = {1. - xi[1], xi[1]};
+      const double s[4] = {x[0] * y[0], x[1] * y[0], x[0] * y[1], x[1] * y[1]};
+      if constexpr (dim == 2)
+        return {{s[0], s[1], s[2], s[3]}};
+      else
+        {
+          const double z[2] = {1. - xi[2], xi[2]};
+          return {{s[0] * z[0],
+                   s[1] * z[0],
+                   s[2] * z[0],
+                   s[3] * z[0],
+                   s[0] * z[1],
+                   s[1] * z[1],
+                   s[2] * z[1],
+                   s[3] * z[1]}};
+        }
     }
 
     /// The value at @p xi of a field with the given nodal ones, the components

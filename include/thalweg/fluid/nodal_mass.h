@@ -101,6 +101,7 @@ namespace Thalweg
     CellMatrix                table;   ///< int N_i N_j over the reference cell
     Vector                    measure; ///< int N_i
     Vector                    mass;
+    Vector                    inverse; ///< of the mass; zero at dependent nodes
     mutable Vector            difference;
   };
 } // namespace Thalweg

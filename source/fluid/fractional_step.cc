@@ -62,6 +62,7 @@ namespace Thalweg
     phase    = &phase_;
     forces   = &forces_;
     mass     = std::make_unique<NodalMass<dim>>(*space, *boundary, *phase);
+    budget   = std::make_unique<KineticBudget<dim>>(*context, *mass);
     pressure_system =
       std::make_unique<PressureSystem<dim>>(*space, *boundary, *phase, *forces);
     cell_projection = std::make_unique<CellProjection<dim>>(*space,
@@ -344,17 +345,23 @@ namespace Thalweg
     boundary->apply(v);
     space->interpolate(v, dim);
 
+    budget->begin(v);
+
     balance_forces(rate, duration);
+    budget->record("forces and pressure", v);
     before_friction.copy_locally_owned_data_from(v);
     bool has_friction = false;
     {
       dealii::TimerOutput::Scope scope(context->timers, "viscosity");
       has_friction = predict(duration); // (87b)
     }
+    budget->record("viscosity", v);
     if (has_friction)
       correct_pressure(duration);
+    budget->record("pressure of friction", v);
     normalize_pressure();
     remove_divergence();
+    budget->record("divergence", v);
   }
 
 

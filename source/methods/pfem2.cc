@@ -6,16 +6,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// Where fluids are mixed finely the projected level set is flat, and its
-    /// contour moves by several times what particles take: with all of the
-    /// shift it would swing.
-    constexpr double kept_part_of_shift = .1;
-  } // namespace
-
-
-
   template <int dim>
   void
   Pfem2<dim>::declare_parameters(const Section &section)
@@ -42,6 +32,7 @@ namespace Thalweg
   Pfem2<dim>::attach(const Parts<dim> &parts_)
   {
     parts            = std::make_unique<Parts<dim>>(parts_);
+    budget           = std::make_unique<ParticleBudget<dim>>(*parts);
     carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
     for (Vector *vector :
          {&convecting_velocity, &old_velocity, &velocity_star, &rate})
@@ -135,6 +126,7 @@ namespace Thalweg
                   parts->flow.velocity(),
                   velocity_star,
                   factor);
+    budget->record("increment");
   }
 
 
@@ -175,47 +167,6 @@ namespace Thalweg
   Pfem2<dim>::carries_distances() const
   {
     return parts->phase.is_distance() && parts->projection.takes_distances();
-  }
-
-
-
-  template <int dim>
-  void
-  Pfem2<dim>::keep_shift()
-  {
-    const Vector *shift = parts->phase.shifts_at_nodes();
-    if (shift == nullptr || !carries_distances())
-      return;
-    // Beside the surface only: who shifts for which body is clear there.
-    const double beside = .5 * parts->phase.shortest_edge();
-    Vector       kept(*shift);
-    kept.zero_out_ghost_values();
-    for (unsigned int n = 0; n < kept.locally_owned_size(); ++n)
-      if (std::abs(parts->phase.level_set().local_element(n)) > beside)
-        kept.local_element(n) = 0.;
-    parts->space.interpolate(kept, 1);
-    shift_level_sets(parts->population, parts->space, kept, kept_part_of_shift);
-  }
-
-
-
-  template <int dim>
-  void
-  Pfem2<dim>::keep_distance(const double dt)
-  {
-    // New particles take the level set without the shift, of which the others
-    // carry a small part: else the shifts of all steps would add up in them.
-    if (!carries_distances())
-      {
-        parts->space.copy_to_cells(level_set, cell_level_set);
-        return;
-      }
-    dealii::TimerOutput::Scope scope(parts->context.timers, "interface");
-    carried_distance->find_rates(parts->phase.level_set(), convecting_velocity);
-    carried_distance->apply(parts->population, dt);
-    Vector distances(level_set);
-    carried_distance->apply(distances, dt);
-    parts->space.copy_to_cells(distances, cell_level_set);
   }
 
 
@@ -334,6 +285,7 @@ namespace Thalweg
 
     ConvectionReport report;
     unsigned int     n_added, n_removed;
+    budget->begin(time);
     accelerate_before_convection(time, dt);
     choose_convecting_velocity(time + .5 * dt);
     keep_distance(dt);
@@ -342,6 +294,7 @@ namespace Thalweg
       dealii::TimerOutput::Scope scope(context.timers, "convection");
       report = move_particles(time, dt); // (87a)
     }
+    budget->record("motion");
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_added = pass_boundaries(
@@ -349,6 +302,7 @@ namespace Thalweg
       n_added +=
         control.fill_empty_cells(population, cell_velocity, cell_level_set, dt);
     }
+    budget->record("boundaries");
     {
       dealii::TimerOutput::Scope scope(context.timers, "projection");
       project_particles(); // (69)
@@ -358,6 +312,7 @@ namespace Thalweg
       phase.find_distance(level_set);
     }
     disperse(time, dt);
+    budget->record("dispersal");
     {
       dealii::TimerOutput::Scope scope(context.timers, "interface");
       phase.hold_volume();
@@ -374,6 +329,8 @@ namespace Thalweg
       if (dispersed != nullptr)
         dispersed->limit(control);
     }
+    budget->record("limit");
+    budget->end();
     record_particles(*parts, report, n_added, n_removed);
   }
 

@@ -26,12 +26,14 @@ namespace Thalweg
     using ParticleTraveller =
       Traveller<typename Field::WalkerType, Particle<dim>>;
 
-    /// The numbers of the travellers that have arrived, cell by cell.
+    /// The numbers of the travellers that have arrived, cell by cell, and of
+    /// the others.
     struct Arrivals
     {
       /// Of each cell and behind the last one.
       std::vector<unsigned int> begin;
       std::vector<unsigned int> travellers;
+      std::vector<unsigned int> missing;
     };
 
     template <typename TravellerType>
@@ -49,6 +51,8 @@ namespace Thalweg
             cells[i] = travellers[i].walker.cell;
             ++arrivals.begin[cells[i] + 1];
           }
+        else
+          arrivals.missing.push_back(i);
       for (unsigned int c = 0; c < n_cells; ++c)
         arrivals.begin[c + 1] += arrivals.begin[c];
 
@@ -72,35 +76,29 @@ namespace Thalweg
       return centre;
     }
 
-    /// Counts those that did not arrive.
+    /// Counts one that did not arrive.
     template <int dim, typename TravellerType>
     void
-    count_missing(const CellGraph<dim>             &graph,
-                  const std::vector<TravellerType> &travellers,
-                  ConvectionReport                 &report)
+    count_missing(const CellGraph<dim> &graph,
+                  const TravellerType  &traveller,
+                  ConvectionReport     &report)
     {
-      for (const auto &[walker, particle] : travellers)
-        if (walker.fate == Fate::left)
-          {
-            const unsigned int fluid =
-              Population<dim>::fluid_of(particle.properties);
-            ++report.left[walker.boundary][fluid];
-            report.exits.push_back(
-              {walker.cell,
-               walker.face,
-               fluid,
-               particle.properties[Population<dim>::volume_offset]});
-          }
-        else if (walker.fate == Fate::lost)
-          {
-            ++report.n_lost;
-            report
-              .lost_volume[Population<dim>::fluid_of(particle.properties)] +=
-              particle.properties[Population<dim>::volume_offset];
-            if (particle.id < report.first_lost.id)
-              report.first_lost = {particle.id,
-                                   centre<dim>(graph.cell(walker.cell))};
-          }
+      const auto &[walker, particle] = traveller;
+      const unsigned int fluid = Population<dim>::fluid_of(particle.properties);
+      const double volume = particle.properties[Population<dim>::volume_offset];
+      if (walker.fate == Fate::left)
+        {
+          ++report.left[walker.boundary][fluid];
+          report.exits.push_back({walker.cell, walker.face, fluid, volume});
+        }
+      else if (walker.fate == Fate::lost)
+        {
+          ++report.n_lost;
+          report.lost_volume[fluid] += volume;
+          if (particle.id < report.first_lost.id)
+            report.first_lost = {particle.id,
+                                 centre<dim>(graph.cell(walker.cell))};
+        }
     }
 
     /// Makes a drop or a bubble of a traveller.
@@ -125,7 +123,8 @@ namespace Thalweg
     depart(const Population<dim>            &population,
            const StreamlineWalk<dim, Field> &walk,
            const double                      dt,
-           WalkEffort                       &effort)
+           WalkEffort                       &effort,
+           ScatterCount                     &scatter)
     {
       const auto &handler = population.handler();
       const auto &graph   = population.mesh().graph();
@@ -136,20 +135,20 @@ namespace Thalweg
         for (const auto &particle :
              handler.particles_in_cell(graph.iterator(c)))
           {
-            ParticleTraveller<dim, Field> traveller;
+            travellers.emplace_back();
+            auto &traveller = travellers.back();
             traveller.walker =
               Field::WalkerType::start(c,
                                        particle.get_reference_location(),
                                        dt);
             traveller.luggage.id  = particle.get_id();
             const auto properties = particle.get_properties();
-            std::copy(properties.begin(),
-                      properties.end(),
-                      traveller.luggage.properties.begin());
+            for (unsigned int k = 0; k < Population<dim>::n_properties; ++k)
+              traveller.luggage.properties[k] = properties[k];
+            scatter.add(particle.get_local_index());
             if constexpr (Field::disperses)
               launch(walk.field(), particle.get_location(), traveller);
             walk.walk(traveller.walker, effort);
-            travellers.push_back(traveller);
           }
       return travellers;
     }
@@ -173,21 +172,20 @@ namespace Thalweg
       return record;
     }
 
-    /// Makes those of the travellers that have arrived the population, and
-    /// returns how many they are.
+    /// Makes those of the travellers that have arrived the population.
     template <int dim, typename Field>
-    std::size_t
+    void
     arrive(Population<dim>                                  &population,
            const StreamlineWalk<dim, Field>                 &walk,
-           const std::vector<ParticleTraveller<dim, Field>> &travellers)
+           const std::vector<ParticleTraveller<dim, Field>> &travellers,
+           const ScatterCount                               &scatter,
+           Arrivals                                         &arrived)
     {
-      const unsigned int n_cells = walk.graph().n_owned_cells();
-      Arrivals           arrived = arrivals(travellers, n_cells);
       const auto by_id = [&](const unsigned int a, const unsigned int b) {
         return travellers[a].luggage.id < travellers[b].luggage.id;
       };
-      prepare_storage(population, arrived.travellers.size());
-      for (unsigned int c = 0; c < n_cells; ++c)
+      prepare_storage(population, arrived.travellers.size(), scatter);
+      for (unsigned int c = 0; c < walk.graph().n_owned_cells(); ++c)
         {
           const auto begin = arrived.travellers.begin() + arrived.begin[c];
           const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
@@ -197,8 +195,8 @@ namespace Thalweg
           });
         }
       population.handler().update_cached_numbers();
-      return arrived.travellers.size();
     }
+
     /// Lets all particles travel, and returns all travellers that ended on
     /// this rank.
     template <int dim, typename Field>
@@ -209,18 +207,20 @@ namespace Thalweg
            ConvectionReport                 &report)
     {
       Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
-      WalkEffort effort;
-      auto       travellers = depart(population, walk, dt, effort);
+      WalkEffort   effort;
+      ScatterCount scatter;
+      auto         travellers = depart(population, walk, dt, effort, scatter);
       walk_on_other_ranks(walk,
                           population.mesh().triangulation().get_communicator(),
                           travellers,
                           effort);
-      const std::size_t n_stored = arrive(population, walk, travellers);
-      report.n_moved             = travellers.size();
-      report.n_substeps          = effort.n_substeps;
-      report.n_cells_crossed     = effort.n_cells_crossed;
-      if (n_stored < travellers.size())
-        count_missing<dim>(walk.graph(), travellers, report);
+      Arrivals arrived = arrivals(travellers, walk.graph().n_owned_cells());
+      arrive(population, walk, travellers, scatter, arrived);
+      report.n_moved         = travellers.size();
+      report.n_substeps      = effort.n_substeps;
+      report.n_cells_crossed = effort.n_cells_crossed;
+      for (const unsigned int i : arrived.missing)
+        count_missing<dim>(walk.graph(), travellers[i], report);
       return travellers;
     }
   } // namespace
@@ -314,7 +314,10 @@ namespace Thalweg
       {
         traveller.luggage.id = population.next_id();
         if (traveller.walker.fate != Fate::arrived)
-          continue;
+          {
+            count_missing<dim>(walk.graph(), traveller, report);
+            continue;
+          }
         const auto record = record_of<dim, Field>(walk, traveller);
         population.handler().insert_particle(
           record.position,
@@ -326,7 +329,6 @@ namespace Thalweg
       }
     population.handler().update_cached_numbers();
     report.n_moved = travellers.size();
-    count_missing<dim>(walk.graph(), travellers, report);
     return report;
   }
 

@@ -6,6 +6,23 @@
 
 namespace Thalweg
 {
+  namespace
+  {
+    template <int dim>
+    ScatterCount
+    scatter_of(const Population<dim> &population)
+    {
+      const auto  &graph = population.mesh().graph();
+      ScatterCount scatter;
+      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+        for (const auto &particle :
+             population.handler().particles_in_cell(graph.iterator(c)))
+          scatter.add(particle.get_local_index());
+      return scatter;
+    }
+  } // namespace
+
+
   template <int dim>
   void
   PopulationSnapshot<dim>::save(const Population<dim> &population)
@@ -21,7 +38,10 @@ namespace Thalweg
         begin_of_cell.push_back(particles.size());
         for (const auto &particle :
              handler.particles_in_cell(graph.iterator(c)))
-          particles.push_back(record_of(particle));
+          {
+            particles.emplace_back();
+            read(particle, particles.back());
+          }
       }
     begin_of_cell.push_back(particles.size());
   }
@@ -36,7 +56,7 @@ namespace Thalweg
                 dealii::ExcMessage(
                   "Particles can only be put back into the cells that they "
                   "were in: save them again after each change of the mesh."));
-    prepare_storage(population, particles.size());
+    prepare_storage(population, particles.size(), scatter_of(population));
     for (unsigned int c = 0; c < n_cells; ++c)
       {
         const unsigned int begin = begin_of_cell[c];

@@ -133,6 +133,13 @@ namespace Thalweg
       has_forces = true;
     });
     collect([this]() { method->check(); });
+    collect([this]() {
+      AssertThrow(!energy_budget ||
+                    (fluids.size() == 2 && method->has_energy_budget()),
+                  dealii::ExcMessage(
+                    "'Statistics/Energy budget' is for two fluids and the "
+                    "method 'pfem2'. Leave it out, or choose those."));
+    });
     collect([this]() { population.check(); });
     collect([this]() { balance.check(); });
     collect([this]() { mesh.partition->check(); });

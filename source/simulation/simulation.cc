@@ -158,6 +158,7 @@ namespace Thalweg
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
     context.statistics.declare(leading_columns());
+    context.has_energy_budget = parameters.energy_budget;
     if (!context.output_directory.empty())
       on_root(context.communicator, [&]() {
         context.statistics.open(context.output_directory + "/statistics.csv",

@@ -50,6 +50,15 @@ namespace Thalweg
                                       "solver of the flow equations");
     }
     {
+      const Section section = root.enter("Statistics");
+      section.add("Energy budget",
+                  energy_budget,
+                  "",
+                  "Whether `statistics.csv` says what each part of a step does "
+                  "to the energy of particles and mesh, in columns that begin "
+                  "with `budget`; for two fluids.");
+    }
+    {
       const Section section = root.enter("Postprocess");
       postprocessors.declare_parameters(section, "postprocessors");
     }

@@ -37,6 +37,8 @@ namespace Thalweg
     Log                 log;
     dealii::TimerOutput timers;
     Statistics          statistics;
+    /// Whether statistics say what each part of a step does to the energy.
+    bool has_energy_budget = false;
     /// Where all files go; empty: no file is written.
     std::string output_directory;
     /// Of the root process, if there are files: keeps the directory for this

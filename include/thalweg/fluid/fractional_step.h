@@ -4,6 +4,7 @@
 
 #include <thalweg/fluid/cell_projection.h>
 #include <thalweg/fluid/fluid_solver.h>
+#include <thalweg/fluid/kinetic_budget.h>
 #include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/fluid/pressure_system.h>
 #include <thalweg/fluid/viscous_operator.h>
@@ -133,6 +134,7 @@ namespace Thalweg
     std::unique_ptr<NodalMass<dim>>       mass;
     std::unique_ptr<PressureSystem<dim>>  pressure_system;
     std::unique_ptr<CellProjection<dim>>  cell_projection;
+    std::unique_ptr<KineticBudget<dim>>   budget;
     std::unique_ptr<ViscousOperator<dim>> viscous;
     dealii::Tensor<2, dim>                deflection; ///< D of deflect()
     Vector                                force;

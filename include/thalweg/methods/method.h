@@ -69,6 +69,13 @@ namespace Thalweg
       return true;
     }
 
+    /// Whether the method can say where energy goes.
+    virtual bool
+    has_energy_budget() const
+    {
+      return false;
+    }
+
     /**
      * @brief Sets up for the present mesh, with zero fields; once for each
      * mesh.

@@ -3,6 +3,7 @@
 #define thalweg_methods_pfem2_h
 
 #include <thalweg/methods/method.h>
+#include <thalweg/methods/particle_budget.h>
 #include <thalweg/transfer/carried_distance.h>
 
 namespace Thalweg
@@ -17,6 +18,12 @@ namespace Thalweg
   public:
     void
     declare_parameters(const Section &section) override;
+
+    bool
+    has_energy_budget() const override
+    {
+      return true;
+    }
 
     void
     attach(const Parts<dim> &parts) override;
@@ -127,6 +134,7 @@ namespace Thalweg
     std::string time_integration = "staggered";
 
     std::unique_ptr<Parts<dim>>           parts;
+    std::unique_ptr<ParticleBudget<dim>>  budget;
     std::unique_ptr<CarriedDistance<dim>> carried_distance;
     Vector                                convecting_velocity;
     Vector                                old_velocity;

@@ -38,6 +38,13 @@ namespace Thalweg
                    const ConvectionParameters &parameters,
                    const std::map<dealii::types::boundary_id, WallKind> &walls);
 
+    /// All drops and bubbles.
+    const Population<dim> &
+    particles() const
+    {
+      return population;
+    }
+
     /**
      * @brief Lets drops and bubbles go on for the time @p dt. Collective.
      * @param level_set cell by cell at the start: the distance from the

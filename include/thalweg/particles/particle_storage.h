@@ -21,15 +21,24 @@ namespace Thalweg
 
   /// Reads a particle.
   template <int dim>
-  inline ParticleRecord<dim>
-  record_of(const dealii::Particles::ParticleAccessor<dim> &particle)
+  inline void
+  read(const dealii::Particles::ParticleAccessor<dim> &particle,
+       ParticleRecord<dim>                            &record)
   {
-    ParticleRecord<dim> record;
     record.id             = particle.get_id();
     record.position       = particle.get_location();
     record.reference      = particle.get_reference_location();
     const auto properties = particle.get_properties();
-    std::copy(properties.begin(), properties.end(), record.properties.begin());
+    for (unsigned int k = 0; k < record.properties.size(); ++k)
+      record.properties[k] = properties[k];
+  }
+
+  template <int dim>
+  inline ParticleRecord<dim>
+  record_of(const dealii::Particles::ParticleAccessor<dim> &particle)
+  {
+    ParticleRecord<dim> record;
+    read(particle, record);
     return record;
   }
 
@@ -47,36 +56,42 @@ namespace Thalweg
               place.get_properties().begin());
   }
 
-  /// Whether the particles lie about in memory, so that loops over them
-  /// have to wait: many were inserted where others had been removed.
-  template <int dim>
-  bool
-  are_scattered(const Population<dim> &population)
+  /// Sees in a loop over all particles whether they lie about in memory, so
+  /// that loops have to wait: many were inserted where others had been removed.
+  class ScatterCount
   {
-    const auto  &graph       = population.mesh().graph();
+  public:
+    /// @param local_index of the next particle
+    void
+    add(const unsigned int local_index)
+    {
+      ++n_particles;
+      n_jumps += local_index == next ? 0 : 1;
+      next = local_index + 1;
+    }
+
+    bool
+    are_scattered() const
+    {
+      return 4 * n_jumps > n_particles;
+    }
+
+  private:
     std::size_t  n_particles = 0, n_jumps = 0;
     unsigned int next = 0;
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      for (const auto &particle :
-           population.handler().particles_in_cell(graph.iterator(c)))
-        {
-          const unsigned int index = particle.get_local_index();
-          ++n_particles;
-          n_jumps += index == next ? 0 : 1;
-          next = index + 1;
-        }
-    return 4 * n_jumps > n_particles;
-  }
+  };
 
   /**
    * @brief Makes room for @p n_particles that are going to be stored in place
-   * of those that are there, if that is better done anew.
+   * of those that are there, if these were better stored anew.
    */
   template <int dim>
   void
-  prepare_storage(Population<dim> &population, const std::size_t n_particles)
+  prepare_storage(Population<dim>    &population,
+                  const std::size_t   n_particles,
+                  const ScatterCount &scatter)
   {
-    if (!are_scattered(population))
+    if (!scatter.are_scattered())
       return;
     population.handler().clear_particles();
     population.handler().reserve(n_particles);

@@ -10,8 +10,9 @@
 namespace Thalweg
 {
   /**
-   * @brief Numbered files `NAME/NAME_0000.*` in a run's directory, and the
-   * files `NAME.*` beside the folder that are about all of them.
+   * @brief Files with a name and a number, `NAME/NAME_0000` with some ending,
+   * in a run's directory, and those called NAME beside the folder that are
+   * about all of them.
    */
   class FileSeries
   {

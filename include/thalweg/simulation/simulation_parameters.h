@@ -102,6 +102,7 @@ namespace Thalweg
     Choice<FluidSolver<dim>>    fluid_solver;
     Choice<Method<dim>>         method;
     Choices<Postprocessor<dim>> postprocessors;
+    bool                        energy_budget = false;
   };
 } // namespace Thalweg
 

@@ -11,7 +11,7 @@ namespace Thalweg
   {
     namespace
     {
-      enum class Section
+      enum class Keyword
       {
         nodes,
         elements,
@@ -19,8 +19,8 @@ namespace Thalweg
       };
 
 
-      Section
-      section_of(std::string header)
+      Keyword
+      keyword_of(std::string header)
       {
         for (char &letter : header)
           letter = std::toupper(static_cast<unsigned char>(letter));
@@ -29,9 +29,9 @@ namespace Thalweg
                  !std::isalpha(static_cast<unsigned char>(
                    header.size() > word.size() ? header[word.size()] : ','));
         };
-        return begins("*NODE")      ? Section::nodes
-               : begins("*ELEMENT") ? Section::elements
-                                    : Section::other;
+        return begins("*NODE")      ? Keyword::nodes
+               : begins("*ELEMENT") ? Keyword::elements
+                                    : Keyword::other;
       }
 
 
@@ -45,13 +45,13 @@ namespace Thalweg
       {
         std::string        plain;
         std::istringstream stream(text);
-        Section            section = Section::other;
+        Keyword            keyword = Keyword::other;
         for (std::string line; std::getline(stream, line); plain += '\n')
           {
             if (!line.empty() && line[0] == '*')
               {
                 if (line.compare(0, 2, "**") != 0)
-                  section = section_of(line);
+                  keyword = keyword_of(line);
                 continue;
               }
             for (char &letter : line)
@@ -61,9 +61,9 @@ namespace Thalweg
             std::vector<std::string> all;
             for (std::string word; words >> word;)
               all.push_back(word);
-            if (section == Section::other || all.empty())
+            if (keyword == Keyword::other || all.empty())
               continue;
-            if (section == Section::nodes)
+            if (keyword == Keyword::nodes)
               {
                 plain += "node";
                 // In two dimensions there need be no z.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_methods_particle_budget_h
+#define thalweg_methods_particle_budget_h
+
+#include <thalweg/methods/method.h>
+
+#include <array>
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief What the parts of a step do to the kinetic and the potential energy
+   * of the particles, drops and bubbles among them, fluid by fluid: columns of
+   * the statistics, J.
+   *
+   * A particle that carries the volume v has 1/2 rho v V^2 and -rho v g x,
+   * counted from the lower corner of the mesh, with gravity as it is when the
+   * step begins.
+   *
+   * Does nothing, not even sums, unless the run asks for energy budgets.
+   */
+  template <int dim>
+  class ParticleBudget
+  {
+  public:
+    /// @param parts must outlive the object
+    explicit ParticleBudget(const Parts<dim> &parts);
+
+    /// Begins the step that starts at @p time. Collective.
+    void
+    begin(const double time);
+
+    /// @p part has moved or changed particles since the last call; it may
+    /// come several times a step. Collective.
+    void
+    record(const std::string &part);
+
+    /// Says what there is at the end of the step.
+    void
+    end();
+
+  private:
+    /// Of each fluid, J.
+    struct Energies
+    {
+      std::array<double, 2> kinetic{}, potential{};
+    };
+
+    void
+    add(const Population<dim> &population, Energies &energies) const;
+
+    Energies
+    sum() const;
+
+    const Parts<dim>      &parts;
+    dealii::Tensor<1, dim> gravity;
+    Energies               last;
+  };
+} // namespace Thalweg
+
+#endif

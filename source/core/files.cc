@@ -6,7 +6,6 @@
 
 #include <boost/crc.hpp>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -173,18 +172,6 @@ namespace Thalweg
     fs::rename(from, to, error);
     if (error)
       fail("rename '" + from + "' to", to, error.value());
-  }
-
-
-
-  bool
-  exchange_names(const std::string &one, const std::string &other)
-  {
-    return ::renameat2(AT_FDCWD,
-                       one.c_str(),
-                       AT_FDCWD,
-                       other.c_str(),
-                       RENAME_EXCHANGE) == 0;
   }
 
 

@@ -172,12 +172,7 @@ namespace Thalweg
   {
     // Where a node depends on others they take its share with their masses;
     // for the diagonal it counts with the mass of its cell alone.
-    const Vector &lumped = mass.lumped();
-    Vector        inverse_mass;
-    space.initialize_scalar(inverse_mass);
-    for (unsigned int n = 0; n < lumped.locally_owned_size(); ++n)
-      if (!space.is_dependent(n))
-        inverse_mass.local_element(n) = 1. / lumped.local_element(n);
+    Vector inverse_mass(mass.inverse_lumped());
     space.interpolate(inverse_mass, 1);
     for (unsigned int c = 0; c < gradients.size(); ++c)
       {

@@ -3,22 +3,26 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    std::string
-    column(const std::string &part, const char *kind, const unsigned int fluid)
-    {
-      return "budget: " + part + ' ' + kind + ' ' + std::to_string(fluid + 1) +
-             " [J]";
-    }
-  } // namespace
-
-
-
   template <int dim>
   ParticleBudget<dim>::ParticleBudget(const Parts<dim> &parts)
     : parts(parts)
   {}
+
+
+
+  template <int dim>
+  template <typename Action>
+  void
+  ParticleBudget<dim>::for_each_column(const std::string &part,
+                                       const Action      &action) const
+  {
+    unsigned int number = 0;
+    for (unsigned int f = 0; f < parts.fluids.size(); ++f)
+      for (const char *kind : {"kinetic", "potential"})
+        action("budget: " + part + ' ' + kind + ' ' + std::to_string(f + 1) +
+                 " [J]",
+               number++);
+  }
 
 
 
@@ -32,9 +36,9 @@ namespace Thalweg
     last    = sum();
     for (const char *part :
          {"motion", "boundaries", "dispersal", "increment", "limit"})
-      for (unsigned int f = 0; f < parts.fluids.size(); ++f)
-        for (const char *kind : {"kinetic", "potential"})
-          parts.context.statistics.set(column(part, kind, f), 0.);
+      for_each_column(part, [this](const std::string &column, unsigned int) {
+        parts.context.statistics.set(column, 0.);
+      });
   }
 
 
@@ -45,15 +49,10 @@ namespace Thalweg
   {
     if (!parts.context.has_energy_budget)
       return;
-    const Energies now        = sum();
-    auto          &statistics = parts.context.statistics;
-    for (unsigned int f = 0; f < parts.fluids.size(); ++f)
-      {
-        statistics.add(column(part, "kinetic", f),
-                       now.kinetic[f] - last.kinetic[f]);
-        statistics.add(column(part, "potential", f),
-                       now.potential[f] - last.potential[f]);
-      }
+    const Energies now = sum();
+    for_each_column(part, [&](const std::string &column, const unsigned int i) {
+      parts.context.statistics.add(column, now[i] - last[i]);
+    });
     last = now;
   }
 
@@ -65,12 +64,10 @@ namespace Thalweg
   {
     if (!parts.context.has_energy_budget)
       return;
-    auto &statistics = parts.context.statistics;
-    for (unsigned int f = 0; f < parts.fluids.size(); ++f)
-      {
-        statistics.set(column("particles", "kinetic", f), last.kinetic[f]);
-        statistics.set(column("particles", "potential", f), last.potential[f]);
-      }
+    for_each_column("particles",
+                    [this](const std::string &column, const unsigned int i) {
+                      parts.context.statistics.set(column, last[i]);
+                    });
   }
 
 
@@ -90,8 +87,8 @@ namespace Thalweg
         double square = 0.;
         for (const double v : Population<dim>::velocity_of(properties))
           square += v * v;
-        energies.kinetic[fluid] += .5 * mass * square;
-        energies.potential[fluid] -=
+        energies[2 * fluid] += .5 * mass * square;
+        energies[2 * fluid + 1] -=
           mass * (gravity * (particle.get_location() - reference));
       }
   }
@@ -102,13 +99,14 @@ namespace Thalweg
   typename ParticleBudget<dim>::Energies
   ParticleBudget<dim>::sum() const
   {
-    Energies energies;
+    Energies energies{};
     add(parts.population, energies);
     if (parts.dispersed != nullptr)
       add(parts.dispersed->particles(), energies);
-    for (auto *values : {&energies.kinetic, &energies.potential})
-      for (double &value : *values)
-        value = dealii::Utilities::MPI::sum(value, parts.context.communicator);
+    const dealii::ArrayView<double> view(energies.data(), energies.size());
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(view),
+                                parts.context.communicator,
+                                view);
     return energies;
   }
 

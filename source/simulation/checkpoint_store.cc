@@ -199,16 +199,11 @@ namespace Thalweg
     const std::string replaced = place + replaced_ending + part_ending;
     std::error_code   error;
     sync_directory(directory);
-    if (!fs::exists(place, error))
-      rename_file(directory, place);
-    else if (!exchange_names(directory, place))
-      {
-        // Killed in between, the next run finds the old one.
-        rename_file(place, replaced);
-        rename_file(directory, place);
-      }
+    // If the run is killed between the two, tidy_up() brings the old one back.
+    if (fs::exists(place, error))
+      rename_file(place, replaced);
+    rename_file(directory, place);
     sync_directory(root);
-    fs::remove_all(directory, error);
     fs::remove_all(replaced, error);
     unsigned int n = 0;
     for (const auto &[other, path] : all_checkpoints(root))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/negligible_weight.h>
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
 
@@ -16,10 +17,6 @@ namespace Thalweg
     /// The square of a misfit that is nothing but round-off, in parts of the
     /// square of what is fitted.
     constexpr double round_off = 1e-12;
-
-    /// Below this weight no particle is near enough to a node to speak for
-    /// it.
-    constexpr double negligible_weight = 1e-10;
 
 
 

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/gather.h>
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/negligible_weight.h>
 #include <thalweg/transfer/projection.h>
 
 namespace Thalweg
 {
   namespace
   {
-    /// Below this weight no particle is near enough to a node to speak for
-    /// it.
-    constexpr double negligible_weight = 1e-10;
-
-
-
     /// Sums over the particles around each node.
     struct Sums
     {

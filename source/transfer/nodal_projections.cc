@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Projections that find each node's velocity from the particles around it.
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/negligible_weight.h>
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/velocity_projection.h>
 
@@ -11,12 +12,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Below this weight no particle is near enough to a node to speak for
-    /// it.
-    constexpr double negligible_weight = 1e-10;
-
-
-
     /**
      * @brief Around each node the polynomial of order 0 or 1 that fits the
      * particles best, with the hat function of the node in the lattice of all

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/transfer/negligible_weight.h>
 #include <thalweg/transfer/projection.h>
 
 #include <algorithm>
@@ -30,12 +31,6 @@ namespace Thalweg
 
   namespace
   {
-    /// Below this weight no particle is near enough to a node to speak for
-    /// it.
-    constexpr double negligible_weight = 1e-10;
-
-
-
     template <int dim>
     void
     add_cell(const Population<dim> &population,

@@ -82,11 +82,6 @@ namespace Thalweg
   void
   rename_file(const std::string &from, const std::string &to);
 
-  /// Lets two files or directories change their names, in one step that
-  /// happens or does not. @return whether the file system can do that
-  bool
-  exchange_names(const std::string &one, const std::string &other);
-
   /// Creates the directory @p path if it is not there; its parent must be.
   /// @throws dealii::ExcMessage with the system's reason
   void

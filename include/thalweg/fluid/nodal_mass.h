@@ -44,6 +44,13 @@ namespace Thalweg
       return mass;
     }
 
+    /// 1/M_L, 1/kg; owned entries, zero at dependent nodes.
+    const Vector &
+    inverse_lumped() const
+    {
+      return inverse;
+    }
+
     /// The mean density around an owned node that depends on no others,
     /// kg/m^dim.
     double
@@ -101,7 +108,7 @@ namespace Thalweg
     CellMatrix                table;   ///< int N_i N_j over the reference cell
     Vector                    measure; ///< int N_i
     Vector                    mass;
-    Vector                    inverse; ///< of the mass; zero at dependent nodes
+    Vector                    inverse;
     mutable Vector            difference;
   };
 } // namespace Thalweg

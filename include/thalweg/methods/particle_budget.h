@@ -41,11 +41,14 @@ namespace Thalweg
     end();
 
   private:
-    /// Of each fluid, J.
-    struct Energies
-    {
-      std::array<double, 2> kinetic{}, potential{};
-    };
+    /// Kinetic and potential energy of the first fluid, and of the second, J.
+    using Energies = std::array<double, 4>;
+
+    /// Calls @p action with the name of the column that says what @p part does
+    /// to each of the energies, and the number of that.
+    template <typename Action>
+    void
+    for_each_column(const std::string &part, const Action &action) const;
 
     void
     add(const Population<dim> &population, Energies &energies) const;
@@ -55,7 +58,7 @@ namespace Thalweg
 
     const Parts<dim>      &parts;
     dealii::Tensor<1, dim> gravity;
-    Energies               last;
+    Energies               last{};
   };
 } // namespace Thalweg
 

@@ -70,8 +70,8 @@ namespace Thalweg
                                                             *mass,
                                                             *pressure_system);
     viscous = std::make_unique<ViscousOperator<dim>>(*space, *boundary, *phase);
-    space->initialize_scalar(p.nodal);
-    space->initialize_scalar(dp.nodal);
+    pressure_system->initialize(p);
+    pressure_system->initialize(dp);
     space->initialize_velocity(force);
     space->initialize_velocity(change);
     space->initialize_velocity(before_friction);
@@ -210,16 +210,16 @@ namespace Thalweg
     if (boundary->conditions().has_open_boundary())
       return;
     double sum[2] = {0, 0};
-    for (unsigned int n = 0; n < p.nodal.locally_owned_size(); ++n)
+    for (unsigned int n = 0; n < nodal(p).locally_owned_size(); ++n)
       if (!space->is_dependent(n))
         {
-          sum[0] += p.nodal.local_element(n);
+          sum[0] += nodal(p).local_element(n);
           sum[1] += 1.;
         }
     dealii::Utilities::MPI::sum(sum, context->communicator, sum);
-    p.nodal.zero_out_ghost_values();
-    p.nodal.add(-sum[0] / sum[1]);
-    space->interpolate(p.nodal, 1);
+    nodal(p).zero_out_ghost_values();
+    nodal(p).add(-sum[0] / sum[1]);
+    space->interpolate(nodal(p), 1);
   }
 
 
@@ -228,19 +228,19 @@ namespace Thalweg
   void
   FractionalStep<dim>::apply_open_boundary()
   {
-    p.nodal.zero_out_ghost_values();
-    pressure_system->apply_open_boundary(p.nodal);
+    nodal(p).zero_out_ghost_values();
+    pressure_system->apply_open_boundary(nodal(p));
     for (const auto &node : boundary->pressure_nodes())
-      if (node.node < p.nodal.locally_owned_size())
+      if (node.node < nodal(p).locally_owned_size())
         {
           dealii::Tensor<1, dim> velocity;
           for (unsigned int d = 0; d < dim; ++d)
             velocity[d] = v.local_element(dim * node.node + d);
           const double inward = std::min(velocity * node.normal, 0.);
-          p.nodal.local_element(node.node) -=
+          nodal(p).local_element(node.node) -=
             .5 * mass->density(node.node) * inward * inward;
         }
-    space->interpolate(p.nodal, 1);
+    space->interpolate(nodal(p), 1);
   }
 
 
@@ -252,7 +252,8 @@ namespace Thalweg
     dealii::TimerOutput::Scope scope(context->timers, "pressure");
     // The last step's pressure is the initial guess.
     apply_open_boundary();
-    p.star.assign(phase->cut_cells().size(), 0.);
+    star(p).zero_out_ghost_values();
+    star(p) = 0.;
     if (forces->is_rotating())
       pressure_system->add_acceleration(1., deflected);
     const SolveReport report = pressure_system->correct(
@@ -276,8 +277,8 @@ namespace Thalweg
     double                     difference = 1.;
     for (; i < iterations && difference > iteration_tolerance; ++i)
       {
-        dp.nodal = 0.;
-        dp.star.assign(phase->cut_cells().size(), 0.);
+        dp.zero_out_ghost_values();
+        dp = 0.;
         change.copy_locally_owned_data_from(v);
         change.add(-1., before_friction);
         change *= 1. / duration;
@@ -297,11 +298,10 @@ namespace Thalweg
         change.add(-1., v);
         const double norm = v.l2_norm();
         difference        = norm > 0 ? change.l2_norm() / norm : 0.;
-        p.nodal.zero_out_ghost_values();
-        p.nodal.add(1., dp.nodal);
-        space->interpolate(p.nodal, 1);
-        for (unsigned int k = 0; k < p.star.size(); ++k)
-          p.star[k] += dp.star[k];
+        p.zero_out_ghost_values();
+        p.add(1., dp);
+        for (unsigned int b = 0; b < 2; ++b)
+          space->interpolate(p.block(b), 1);
       }
     statistics.set("fractional step iterations", i);
     statistics.set("velocity change", i == 0 ? 0. : difference);

@@ -20,7 +20,7 @@ namespace Thalweg
     for (const auto &node : boundary.pressure_nodes())
       {
         const auto index =
-          residual.get_partitioner()->local_to_global(node.node);
+          field.get_partitioner()->local_to_global(dim * node.node) / dim;
         if (open.can_store_line(index))
           open.add_line(index);
       }
@@ -44,8 +44,11 @@ namespace Thalweg
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int v = 0; v < (1 << dim); ++v)
         cells[c][v] =
-          residual.get_partitioner()->local_to_global(space.nodes(c)[v]);
+          field.get_partitioner()->local_to_global(dim * space.nodes(c)[v]) /
+          dim;
     cell_matrices.initialize(*matrix, constraints, cells);
+    enriched =
+      std::make_unique<EnrichedMatrix<dim>>(space, boundary, phase, *matrix);
   }
 
 
@@ -54,9 +57,8 @@ namespace Thalweg
   typename PressureSystem<dim>::CellMatrix
   PressureSystem<dim>::cell_matrix(const unsigned int cell) const
   {
-    constexpr unsigned int n   = 1 << dim;
-    const CutCell<dim>    *cut = cut_cell(cell);
-    CellMatrix             local =
+    const CutCell<dim> *cut = cut_cell(cell);
+    CellMatrix          local =
       cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
     if (!cut)
       {
@@ -65,11 +67,6 @@ namespace Thalweg
           for (double &entry : row)
             entry *= inverse;
       }
-    else if (cut->enriched)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          local[i][j] -= cut->laplace_star[i] * cut->laplace_star[j] /
-                         cut->laplace_star_star;
     return local;
   }
 
@@ -98,6 +95,7 @@ namespace Thalweg
               }
         matrix->compress(dealii::VectorOperation::add);
       }
+    enriched->update();
     amg.update(*matrix);
     find_acceleration();
   }

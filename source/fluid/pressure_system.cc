@@ -19,10 +19,10 @@ namespace Thalweg
     , forces(forces)
     , singular(!boundary.conditions().has_open_boundary())
   {
-    space.initialize_scalar(residual);
-    space.initialize_scalar(increment);
     space.initialize_velocity(field);
     initialize_matrix();
+    enriched->initialize(residual);
+    enriched->initialize(increment);
   }
 
 
@@ -59,9 +59,10 @@ namespace Thalweg
     const auto r = gather_velocity<dim>(rate, space.nodes(cell));
     integrals.add_divergence(space.mesh().graph().cell(cell), r, load.nodal);
     if (const CutCell<dim> *cut = enriched_cell(cell))
-      for (unsigned int v = 0; v < load.nodal.size(); ++v)
-        for (unsigned int d = 0; d < dim; ++d)
-          load.star -= cut->star_divergence[v][d] * r[dim * v + d];
+      for (unsigned int j = 0; j < load.star.size(); ++j)
+        for (unsigned int v = 0; v < load.nodal.size(); ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            load.star[j] -= cut->star_divergence[j][v][d] * r[dim * v + d];
   }
 
 
@@ -90,7 +91,9 @@ namespace Thalweg
               {
                 a[dim * v + d] -= mean;
                 if (cut && cut->enriched)
-                  load.star += cut->star_gradient[v][d] * a[dim * v + d];
+                  for (unsigned int j = 0; j < load.star.size(); ++j)
+                    load.star[j] +=
+                      cut->star_gradient[v][j][d] * a[dim * v + d];
               }
           }
         integrals.add_divergence(geometry, a, load.nodal);
@@ -100,7 +103,8 @@ namespace Thalweg
         g * gradients[v] +
         f * (cut ? cut->gradient[v] : gradients[v] / phase.fluid(cell).density);
     if (cut && cut->enriched)
-      load.star += g * cut->star_load + f * cut->star_inverse_load;
+      for (unsigned int j = 0; j < load.star.size(); ++j)
+        load.star[j] += g * cut->star_load[j] + f * cut->star_inverse_load[j];
   }
 
 
@@ -111,8 +115,8 @@ namespace Thalweg
                                          const EnrichedPressure &pressure,
                                          Load                   &load) const
   {
-    constexpr unsigned int n   = 1 << dim;
-    const auto             p   = gather<dim>(pressure.nodal, space.nodes(cell));
+    constexpr unsigned int n = 1 << dim;
+    const auto             p = gather<dim>(nodal(pressure), space.nodes(cell));
     const CutCell<dim>    *cut = cut_cell(cell);
     const auto             laplace =
       cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
@@ -122,13 +126,14 @@ namespace Thalweg
         load.nodal[i] -= factor * laplace[i][j] * p[j];
     if (cut && cut->enriched)
       {
-        const double star = pressure.star[phase.cut_index(cell)];
+        const auto q = gather<dim>(star(pressure), space.nodes(cell));
         for (unsigned int i = 0; i < n; ++i)
-          {
-            load.nodal[i] -= cut->laplace_star[i] * star;
-            load.star -= cut->laplace_star[i] * p[i];
-          }
-        load.star -= cut->laplace_star_star * star;
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              load.nodal[i] -= cut->laplace_star[i][j] * q[j];
+              load.star[i] -= cut->laplace_star[j][i] * p[j] +
+                              cut->laplace_star_star[i][j] * q[j];
+            }
       }
   }
 
@@ -138,11 +143,10 @@ namespace Thalweg
   void
   PressureSystem<dim>::assemble_residual(const Vector           &rate,
                                          const bool              with_forces,
-                                         const EnrichedPressure *pressure,
-                                         std::vector<double>    &star_residual)
+                                         const EnrichedPressure *pressure)
   {
     residual = 0.;
-    boundary.add_flux(rate, -1., residual);
+    boundary.add_flux(rate, -1., nodal(residual));
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
         Load load;
@@ -151,18 +155,16 @@ namespace Thalweg
           add_forces(c, load);
         if (pressure)
           subtract_pressure(c, *pressure, load);
-        if (const CutCell<dim> *cut = enriched_cell(c))
-          {
-            star_residual[phase.cut_index(c)] = load.star;
-            for (unsigned int v = 0; v < load.nodal.size(); ++v)
-              load.nodal[v] -=
-                cut->laplace_star[v] * load.star / cut->laplace_star_star;
-          }
         for (unsigned int v = 0; v < load.nodal.size(); ++v)
-          residual.local_element(space.nodes(c)[v]) += load.nodal[v];
+          {
+            nodal(residual).local_element(space.nodes(c)[v]) += load.nodal[v];
+            if (enriched_cell(c))
+              star(residual).local_element(space.nodes(c)[v]) += load.star[v];
+          }
       }
-    space.fold(residual, 1);
-    remove_given(residual);
+    space.fold(nodal(residual), 1);
+    space.fold(star(residual), 1);
+    enriched->remove_given(nodal(residual));
   }
 
 
@@ -175,40 +177,26 @@ namespace Thalweg
                                const double       tolerance,
                                const unsigned int maximal_iterations)
   {
-    constexpr unsigned int n    = 1 << dim;
-    const auto            &cuts = phase.cut_cells();
-    std::vector<double>    star_residual(cuts.size(), 0.);
     if (with_forces)
       {
         // Given pressures are part of the right hand side: they may be all
         // that moves the fluid.
-        EnrichedPressure given{{}, std::vector<double>(cuts.size(), 0.)};
-        space.initialize_scalar(given.nodal);
-        apply_open_boundary(given.nodal);
-        space.interpolate(given.nodal, 1);
-        assemble_residual(rate, true, &given, star_residual);
+        EnrichedPressure given;
+        initialize(given);
+        apply_open_boundary(nodal(given));
+        space.interpolate(nodal(given), 1);
+        assemble_residual(rate, true, &given);
         reference_norm = residual.l2_norm();
       }
-    assemble_residual(rate,
-                      with_forces,
-                      with_forces ? &pressure : nullptr,
-                      star_residual);
+    assemble_residual(rate, with_forces, with_forces ? &pressure : nullptr);
     const SolveReport report =
       solve(tolerance * reference_norm, maximal_iterations);
-    space.interpolate(increment, 1);
-
-    pressure.nodal.zero_out_ghost_values();
-    pressure.nodal.add(1., increment);
-    space.interpolate(pressure.nodal, 1);
-    for (unsigned int k = 0; k < cuts.size(); ++k)
-      if (cuts[k].enriched)
-        {
-          double star = star_residual[k];
-          for (unsigned int v = 0; v < n; ++v)
-            star -= cuts[k].laplace_star[v] *
-                    increment.local_element(space.nodes(cuts[k].cell)[v]);
-          pressure.star[k] += star / cuts[k].laplace_star_star; // (85)
-        }
+    for (unsigned int b = 0; b < 2; ++b)
+      {
+        pressure.block(b).zero_out_ghost_values();
+        pressure.block(b).add(1., increment.block(b));
+        space.interpolate(pressure.block(b), 1);
+      }
     return report;
   }
 
@@ -222,11 +210,17 @@ namespace Thalweg
     increment = 0.;
     if (reference_norm == 0.)
       return {};
-    SolveReport report;
-    const auto  attempt = [&](const unsigned int iterations) {
-      increment = 0.;
-      report    = solve_cg(
-        *matrix, increment, residual, amg, tolerance, iterations, "pressure");
+    SolveReport          report;
+    const Preconditioner preconditioner{*enriched, amg};
+    const auto           attempt = [&](const unsigned int iterations) {
+      enriched->invert_beside_interface(increment, residual);
+      report = solve_cg(*enriched,
+                        increment,
+                        residual,
+                        preconditioner,
+                        tolerance,
+                        iterations,
+                        "pressure");
     };
     try
       {
@@ -245,23 +239,12 @@ namespace Thalweg
 
   template <int dim>
   void
-  PressureSystem<dim>::remove_given(Vector &vector) const
-  {
-    for (const auto &node : boundary.pressure_nodes())
-      if (node.node < vector.locally_owned_size())
-        vector.local_element(node.node) = 0.;
-  }
-
-
-
-  template <int dim>
-  void
   PressureSystem<dim>::precondition(Vector &result, Vector &load) const
   {
-    remove_given(load);
+    enriched->remove_given(load);
     result.zero_out_ghost_values();
     amg.vmult(result, load);
-    remove_given(result);
+    enriched->remove_given(result);
     space.interpolate(result, 1);
   }
 
@@ -278,15 +261,16 @@ namespace Thalweg
         const auto                         &nodes = space.nodes(c);
         std::array<double, dim *(1 << dim)> result{};
         integrals.add_gradient(graph.cell(c),
-                               gather<dim>(pressure.nodal, nodes),
+                               gather<dim>(nodal(pressure), nodes),
                                result);
-        const int cut_index = phase.cut_index(c);
-        if (cut_index >= 0 && phase.cut_cells()[cut_index].enriched)
-          for (unsigned int v = 0; v < nodes.size(); ++v)
-            for (unsigned int d = 0; d < dim; ++d)
-              result[dim * v + d] +=
-                phase.cut_cells()[cut_index].star_gradient[v][d] *
-                pressure.star[cut_index];
+        if (const CutCell<dim> *cut = enriched_cell(c))
+          {
+            const auto q = gather<dim>(star(pressure), nodes);
+            for (unsigned int v = 0; v < nodes.size(); ++v)
+              for (unsigned int j = 0; j < nodes.size(); ++j)
+                for (unsigned int d = 0; d < dim; ++d)
+                  result[dim * v + d] += cut->star_gradient[v][j][d] * q[j];
+          }
         for (unsigned int v = 0; v < nodes.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
             force.local_element(dim * nodes[v] + d) -= result[dim * v + d];

@@ -15,29 +15,68 @@ namespace Thalweg
 
 
 
-    /// Adds the integrals at one quadrature point; of the symmetric matrix
-    /// only what is not above the diagonal.
+    template <int dim>
+    using Vectors = std::array<dealii::Tensor<1, dim>, (1 << dim)>;
+
+
+
+    /// Adds the integrals of the enrichment at one quadrature point, of the
+    /// symmetric matrix only what is not above the diagonal, and int N_i grad
+    /// |phi| to @p kink.
     template <int dim>
     void
-    add_point(CutCell<dim>                         &cut,
-              const Q1::Point<dim>                 &point,
-              const std::array<double, (1 << dim)> &w,
-              const double                          absolute_phi,
-              const dealii::Tensor<1, dim>         &absolute_gradient,
-              const double                          weight,
-              const double                          density,
-              const bool                            enrich)
+    add_enrichment(CutCell<dim>                         &cut,
+                   Vectors<dim>                         &kink,
+                   const Q1::Point<dim>                 &point,
+                   const std::array<double, (1 << dim)> &w,
+                   const double                          absolute_phi,
+                   const dealii::Tensor<1, dim>         &absolute_gradient,
+                   const double                          weight,
+                   const double                          density)
     {
-      const double           inverse  = weight / density;
+      constexpr unsigned int n        = 1 << dim;
       double                 psi      = -absolute_phi;
       dealii::Tensor<1, dim> grad_psi = -absolute_gradient;
-      if (enrich)
-        for (unsigned int v = 0; v < w.size(); ++v)
-          {
-            psi += w[v] * point.values[v];
-            grad_psi += w[v] * point.gradients[v];
-          }
-      for (unsigned int i = 0; i < w.size(); ++i)
+      for (unsigned int v = 0; v < n; ++v)
+        {
+          psi += w[v] * point.values[v];
+          grad_psi += w[v] * point.gradients[v];
+        }
+      Vectors<dim> star;
+      for (unsigned int j = 0; j < n; ++j)
+        star[j] = point.values[j] * grad_psi + psi * point.gradients[j];
+      const double inverse = weight / density;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double value = weight * point.values[i];
+          for (unsigned int j = 0; j < n; ++j)
+            {
+              cut.laplace_star[i][j] +=
+                inverse * (point.gradients[i] * star[j]);
+              cut.star_divergence[i][j] += (value * psi) * point.gradients[j];
+              cut.star_gradient[i][j] += value * star[j];
+            }
+          for (unsigned int j = 0; j <= i; ++j)
+            cut.laplace_star_star[i][j] += inverse * (star[i] * star[j]);
+          cut.star_load[i] += weight * star[i];
+          cut.star_inverse_load[i] += inverse * star[i];
+          kink[i] += value * absolute_gradient;
+        }
+    }
+
+
+
+    /// Adds the integrals at one quadrature point; of symmetric matrices only
+    /// what is not above the diagonal.
+    template <int dim>
+    void
+    add_point(CutCell<dim>         &cut,
+              const Q1::Point<dim> &point,
+              const double          weight,
+              const double          density)
+    {
+      const double inverse = weight / density;
+      for (unsigned int i = 0; i < point.values.size(); ++i)
         {
           cut.mass[i] += weight * density * point.values[i];
           cut.gradient[i] += inverse * point.gradients[i];
@@ -48,57 +87,61 @@ namespace Thalweg
               cut.mass_matrix[i][j] +=
                 weight * density * point.values[i] * point.values[j];
             }
-          if (enrich)
-            {
-              cut.laplace_star[i] += inverse * (point.gradients[i] * grad_psi);
-              cut.star_divergence[i] += (weight * psi) * point.gradients[i];
-              // the continuous part of grad psi is added exactly later
-              cut.star_gradient[i] -=
-                (weight * point.values[i]) * absolute_gradient;
-            }
-        }
-      if (enrich)
-        {
-          cut.laplace_star_star += inverse * (grad_psi * grad_psi);
-          cut.star_load += weight * grad_psi;
-          cut.star_inverse_load += inverse * grad_psi;
         }
     }
 
 
 
-    /// Adds int N_i grad(sum_v N_v w_v) with a rule that is exact for it, as
-    /// the pressure gradient of the standard functions is integrated.
+    /// int N_i grad(sum_v N_v w_v) with a rule that is exact for it, as the
+    /// pressure gradient of the standard functions is integrated.
     template <int dim>
-    void
-    add_continuous_gradient(CutCell<dim>                         &cut,
-                            const typename CellGraph<dim>::Cell  &cell,
-                            const std::array<double, (1 << dim)> &w)
+    Vectors<dim>
+    continuous_gradient(const typename CellGraph<dim>::Cell  &cell,
+                        const std::array<double, (1 << dim)> &w)
     {
       static const Q1::Gauss<dim> gauss;
-      if (!Q1::is_parallelepiped<dim>(cell))
-        {
-          Q1::SimplexShape<dim>(cell.vertices)
-            .for_each([&](const auto  &values,
-                          const auto  &gradients,
-                          const double measure) {
-              dealii::Tensor<1, dim> gradient;
-              for (unsigned int v = 0; v < w.size(); ++v)
-                gradient += w[v] * gradients[v];
-              for (unsigned int i = 0; i < w.size(); ++i)
-                cut.star_gradient[i] += (measure * values[i]) * gradient;
-            });
-          return;
-        }
-      for (unsigned int q = 0; q < gauss.n_points; ++q)
-        {
-          const auto             point  = gauss.evaluate(cell, q);
-          const double           weight = gauss.weight * point.determinant;
+      Vectors<dim>                result;
+      const auto                  add =
+        [&](const auto &values, const auto &gradients, const double weight) {
           dealii::Tensor<1, dim> gradient;
           for (unsigned int v = 0; v < w.size(); ++v)
-            gradient += w[v] * point.gradients[v];
+            gradient += w[v] * gradients[v];
           for (unsigned int i = 0; i < w.size(); ++i)
-            cut.star_gradient[i] += (weight * point.values[i]) * gradient;
+            result[i] += (weight * values[i]) * gradient;
+        };
+      if (!Q1::is_parallelepiped<dim>(cell))
+        Q1::SimplexShape<dim>(cell.vertices).for_each(add);
+      else
+        for (unsigned int q = 0; q < gauss.n_points; ++q)
+          {
+            const auto point = gauss.evaluate(cell, q);
+            add(point.values,
+                point.gradients,
+                gauss.weight * point.determinant);
+          }
+      return result;
+    }
+
+
+
+    /// Lets sum_j int N_i grad(N_j psi) be int N_i grad psi as exactly as
+    /// gravity is integrated, so that both are balanced at rest.
+    template <int dim>
+    void
+    balance_uniform_kink(CutCell<dim>                         &cut,
+                         const Vectors<dim>                   &kink,
+                         const typename CellGraph<dim>::Cell  &cell,
+                         const std::array<double, (1 << dim)> &w)
+    {
+      constexpr unsigned int n          = 1 << dim;
+      const Vectors<dim>     continuous = continuous_gradient<dim>(cell, w);
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          auto missing = continuous[i] - kink[i];
+          for (unsigned int j = 0; j < n; ++j)
+            missing -= cut.star_gradient[i][j];
+          for (unsigned int j = 0; j < n; ++j)
+            cut.star_gradient[i][j] += missing / n;
         }
     }
 
@@ -108,6 +151,7 @@ namespace Thalweg
     template <int dim>
     void
     integrate_in_reference_cell(CutCell<dim>                         &cut,
+                                Vectors<dim>                         &kink,
                                 const typename CellGraph<dim>::Cell  &cell,
                                 const std::array<double, (1 << dim)> &phi,
                                 const std::array<double, (1 << dim)> &w,
@@ -129,14 +173,18 @@ namespace Thalweg
                 const double value =
                   simplex.phi[0] +
                   reference_gradient * (q.xi - simplex.corners[0]);
-                add_point(cut,
-                          point,
-                          w,
-                          sign * value,
-                          sign * (point.covariant * reference_gradient),
-                          q.weight * point.determinant,
-                          fluids[negative ? 0 : 1].density,
-                          enrich);
+                const double weight  = q.weight * point.determinant;
+                const double density = fluids[negative ? 0 : 1].density;
+                add_point(cut, point, weight, density);
+                if (enrich)
+                  add_enrichment(cut,
+                                 kink,
+                                 point,
+                                 w,
+                                 sign * value,
+                                 sign * (point.covariant * reference_gradient),
+                                 weight,
+                                 density);
               }
           });
         }
@@ -149,6 +197,7 @@ namespace Thalweg
     template <int dim>
     void
     integrate_in_space(CutCell<dim>                         &cut,
+                       Vectors<dim>                         &kink,
                        const typename CellGraph<dim>::Cell  &cell,
                        const std::array<double, (1 << dim)> &phi,
                        const std::array<double, (1 << dim)> &w,
@@ -164,15 +213,18 @@ namespace Thalweg
           dealii::Tensor<1, dim> gradient;
           for (unsigned int v = 0; v < phi.size(); ++v)
             gradient += phi[v] * point.gradients[v];
-          const double sign = piece.negative ? -1. : 1.;
-          add_point(cut,
-                    point,
-                    w,
-                    sign * piece.phi,
-                    sign * gradient,
-                    piece.measure,
-                    fluids[piece.negative ? 0 : 1].density,
-                    enrich);
+          const double sign    = piece.negative ? -1. : 1.;
+          const double density = fluids[piece.negative ? 0 : 1].density;
+          add_point(cut, point, piece.measure, density);
+          if (enrich)
+            add_enrichment(cut,
+                           kink,
+                           point,
+                           w,
+                           sign * piece.phi,
+                           sign * gradient,
+                           piece.measure,
+                           density);
         });
     }
 
@@ -215,39 +267,43 @@ namespace Thalweg
                      const typename CellGraph<dim>::Cell  &cell,
                      const std::array<double, (1 << dim)> &phi_in,
                      const std::array<double, (1 << dim)> &w_in,
+                     const double                          length,
                      const Fluids                         &fluids,
                      const bool                            enrich)
   {
-    CutCell<dim> cut{};
-    cut.cell   = index;
-    auto   phi = phi_in, w = w_in;
-    double scale = 0;
-    for (const double value : w)
-      scale = std::max(scale, std::abs(value));
-    for (unsigned int v = 0; v < phi.size(); ++v)
+    constexpr unsigned int n = 1 << dim;
+    CutCell<dim>           cut{};
+    cut.cell = index;
+    auto phi = phi_in, w = w_in;
+    for (unsigned int v = 0; v < n; ++v)
       {
-        phi[v] /= scale;
-        w[v] /= scale;
+        phi[v] /= length;
+        w[v] /= length;
       }
     set_laminate(cut, cell, phi, fluids);
 
+    Vectors<dim> kink;
     if (Q1::is_parallelepiped<dim>(cell))
-      integrate_in_reference_cell(cut, cell, phi, w, fluids, enrich);
+      integrate_in_reference_cell(cut, kink, cell, phi, w, fluids, enrich);
     else
-      integrate_in_space(cut, cell, phi, w, fluids, enrich);
-    for (unsigned int i = 0; i < phi.size(); ++i)
+      integrate_in_space(cut, kink, cell, phi, w, fluids, enrich);
+    for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
-          cut.laplace[j][i]     = cut.laplace[i][j];
-          cut.mass_matrix[j][i] = cut.mass_matrix[i][j];
+          cut.laplace[j][i]           = cut.laplace[i][j];
+          cut.mass_matrix[j][i]       = cut.mass_matrix[i][j];
+          cut.laplace_star_star[j][i] = cut.laplace_star_star[i][j];
         }
     if (enrich)
       {
-        add_continuous_gradient(cut, cell, w);
-        double trace = 0;
-        for (unsigned int i = 0; i < phi.size(); ++i)
-          trace += cut.laplace[i][i];
-        cut.enriched = cut.laplace_star_star > negligible * trace;
+        balance_uniform_kink(cut, kink, cell, w);
+        double trace = 0, star_trace = 0;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            trace += cut.laplace[i][i];
+            star_trace += cut.laplace_star_star[i][i];
+          }
+        cut.enriched = star_trace > negligible * trace;
       }
     return cut;
   }
@@ -284,6 +340,7 @@ namespace Thalweg
                         const CellGraph<2>::Cell &,
                         const std::array<double, 4> &,
                         const std::array<double, 4> &,
+                        const double,
                         const Fluids &,
                         const bool);
   template CutCell<3>
@@ -291,6 +348,7 @@ namespace Thalweg
                         const CellGraph<3>::Cell &,
                         const std::array<double, 8> &,
                         const std::array<double, 8> &,
+                        const double,
                         const Fluids &,
                         const bool);
   template double

@@ -284,6 +284,7 @@ namespace Thalweg
                                 space.mesh().graph().cell(level_set.cell),
                                 level_set.values,
                                 level_set.absolute,
+                                shortest_edge_,
                                 fluids,
                                 parameters.enrichment != "none"));
   }

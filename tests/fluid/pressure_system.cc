@@ -31,10 +31,9 @@ namespace
                                *scene.phase,
                                scene.forces);
     EnrichedPressure    p;
-    scene.space->initialize_scalar(p.nodal);
-    p.star.assign(scene.phase->cut_cells().size(), 0.);
-    system.apply_open_boundary(p.nodal);
-    scene.space->interpolate(p.nodal, 1);
+    system.initialize(p);
+    system.apply_open_boundary(nodal(p));
+    scene.space->interpolate(nodal(p), 1);
     system.assemble();
     Vector rate = velocity;
     rate *= 1. / dt;
@@ -62,13 +61,13 @@ namespace
   {
     double sum = 0, n_nodes = 0, squares = 0, worst = 0;
     scene.for_each_node([&](const unsigned int n, const auto &x) {
-      sum += p.nodal.local_element(n) - exact(x);
+      sum += nodal(p).local_element(n) - exact(x);
       n_nodes += 1.;
     });
     n_nodes           = sum_of_all(n_nodes);
     const double mean = up_to_a_constant ? sum_of_all(sum) / n_nodes : 0.;
     scene.for_each_node([&](const unsigned int n, const auto &x) {
-      const double e = p.nodal.local_element(n) - mean - exact(x);
+      const double e = nodal(p).local_element(n) - mean - exact(x);
       worst          = std::max(worst, std::abs(e));
       squares += e * e;
     });
@@ -155,7 +154,7 @@ TYPED_TEST(PressureSystemMpi, RecoversAPressureToSecondOrderAcrossDensities)
                          .root_mean_square;
         }
       EXPECT_LT(rms[1], rms[0] / 3.5) << hanging;
-      EXPECT_LT(rms[1], .004 * rho[0]) << hanging;
+      EXPECT_LT(rms[1], (dim == 2 ? 2e-4 : 2e-3) * rho[0]) << hanging;
     }
 }
 
@@ -282,7 +281,8 @@ TYPED_TEST(PressureSystemMpi, TheGradientPushesAsThePressureFalls)
                              *scene.phase,
                              scene.forces);
   EnrichedPressure    p;
-  p.nodal = scene.scalar([](const auto &x) { return 3. * x[0] - x[1]; });
+  system.initialize(p);
+  nodal(p) = scene.scalar([](const auto &x) { return 3. * x[0] - x[1]; });
   Vector force;
   scene.space->initialize_velocity(force);
   system.subtract_gradient(p, force);

@@ -101,8 +101,34 @@ namespace CutCells
         cell(index),
         nodal(plane, index),
         nodal([&](const auto &x) { return std::abs(plane(x)); }, index),
+        1.,
         this->fluids,
         true);
+    }
+  };
+
+
+  /// The enrichment with the same factor at all nodes: psi itself.
+  template <int dim>
+  struct Enrichment
+  {
+    template <typename T>
+    static T
+    sum(const std::array<T, (1 << dim)> &parts)
+    {
+      T result{};
+      for (const T &part : parts)
+        result += part;
+      return result;
+    }
+
+    static double
+    stiffness(const CutCell<dim> &cut)
+    {
+      double result = 0;
+      for (const auto &row : cut.laplace_star_star)
+        result += sum(row);
+      return result;
     }
   };
 

@@ -44,7 +44,7 @@ namespace Thalweg
     keep(const State<dim> &state) override
     {
       state.field("velocity", *space, v, dim);
-      state.field("pressure", *space, p.nodal, 1);
+      state.field("pressure", *space, nodal(p), 1);
     }
 
     Vector &
@@ -56,7 +56,7 @@ namespace Thalweg
     Vector &
     pressure() override
     {
-      return p.nodal;
+      return nodal(p);
     }
 
   private:

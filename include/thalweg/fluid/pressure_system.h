@@ -5,8 +5,7 @@
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/q1_integrals.h>
 #include <thalweg/fluid/body_forces.h>
-#include <thalweg/interface/phase_field.h>
-#include <thalweg/linear_algebra/amg.h>
+#include <thalweg/fluid/enriched_matrix.h>
 #include <thalweg/linear_algebra/cell_matrices.h>
 #include <thalweg/linear_algebra/krylov.h>
 
@@ -24,27 +23,18 @@ namespace dealii
 
 namespace Thalweg
 {
-  /// A pressure: nodal values and one value of the enrichment a cut cell.
-  struct EnrichedPressure
-  {
-    Vector              nodal; ///< Pa, ghosted and consistent
-    std::vector<double> star;  ///< in the order of PhaseField::cut_cells()
-  };
-
   /**
-   * @brief The pressure equation of a fractional step with the enrichment
-   * condensed (Eq. 82 to 85).
+   * @brief The pressure equation of a fractional step with the enrichment (Eq. 82
+   * to 85, with a factor at each node of cut cells instead of one a cell).
    *
    * For a velocity that changes at the rate r and that forces g (and f/rho)
    * act on, with g the uniform acceleration and the nodal field of the others,
    *
    *   (grad q, grad p / rho) = (grad q, r + g + f/rho) - <q, r . n>_D
    *
-   * for the standard functions q, with D the boundaries where velocities are
-   * given, and for the enrichment function psi of a cut cell, which does not
-   * vanish on the cell's faces,
-   *
-   *   (grad psi, grad p / rho) = -(psi, div r) + (grad psi, g + f/rho).
+   * for all functions q of the enriched space, with D the boundaries where
+   * velocities are given. For those with a kink the first term is -(q, div r):
+   * there are no other terms at boundaries.
    *
    * The rate is what changes, not a velocity over the step: the velocities of
    * the nodes hardly answer to the enrichment, and the divergence that its
@@ -61,7 +51,7 @@ namespace Thalweg
                    const BodyForces<dim>    &forces);
     ~PressureSystem();
 
-    /// Assembles the condensed matrix for the present phases, and finds the
+    /// Assembles the matrix for the present phases, and finds the
     /// accelerations at the time of the forces.
     void
     assemble();
@@ -72,6 +62,13 @@ namespace Thalweg
     acceleration() const
     {
       return field;
+    }
+
+    /// A zero pressure.
+    void
+    initialize(EnrichedPressure &pressure) const
+    {
+      enriched->initialize(pressure);
     }
 
     /// Adds @p factor times a nodal acceleration to what the next solve with
@@ -120,14 +117,26 @@ namespace Thalweg
     /// it needs about ten.
     static constexpr unsigned int patience = 150;
 
-    /// The right hand side of a cell and, where it is enriched, of psi.
+    /// The right hand side of a cell: for N_i, and for N_i psi.
     struct Load
     {
       std::array<double, (1 << dim)> nodal{};
-      double                         star = 0;
+      std::array<double, (1 << dim)> star{};
     };
 
     using CellMatrix = typename CellMatrices<(1 << dim)>::Local;
+
+    struct Preconditioner
+    {
+      const EnrichedMatrix<dim> &matrix;
+      const AmgPreconditioner   &amg;
+
+      void
+      vmult(EnrichedPressure &result, const EnrichedPressure &load) const
+      {
+        matrix.precondition(result, load, amg);
+      }
+    };
 
     void
     initialize_matrix();
@@ -136,7 +145,7 @@ namespace Thalweg
     void
     find_acceleration();
 
-    /// int grad N_i . grad N_j / rho, with the enrichment condensed
+    /// int grad N_i . grad N_j / rho
     CellMatrix
     cell_matrix(const unsigned int cell) const;
 
@@ -156,37 +165,32 @@ namespace Thalweg
       return cut && cut->enriched ? cut : nullptr;
     }
 
-    /// (grad q, r) and -(psi, div r); the first terms of a load.
+    /// (grad q, r) and -(q psi, div r); the first terms of a load.
     void
     add_divergence(const unsigned int cell,
                    const Vector      &rate,
                    Load              &load) const;
 
     /**
-     * (grad q, g + f/rho) and (grad psi, g + f/rho). The mean of the field at
+     * (grad q, g + f/rho). The mean of the field at
      * the cell's nodes acts as gravity does, so that a field that is the same
      * everywhere is balanced as exactly; what differs is a bilinear field.
      */
     void
     add_forces(const unsigned int cell, Load &load) const;
 
-    /// (grad q, grad p / rho) and (grad psi, grad p / rho)
+    /// (grad q, grad p / rho)
     void
     subtract_pressure(const unsigned int      cell,
                       const EnrichedPressure &pressure,
                       Load                   &load) const;
 
-    /// The condensed residual of all cells, folded; that of psi separately.
+    /// The residual of all cells, folded.
     /// @param pressure is subtracted; nullptr: none
     void
     assemble_residual(const Vector           &rate,
                       const bool              with_forces,
-                      const EnrichedPressure *pressure,
-                      std::vector<double>    &star_residual);
-
-    /// Lets the owned nodes where the pressure is given be zero.
-    void
-    remove_given(Vector &vector) const;
+                      const EnrichedPressure *pressure);
 
     /// increment = matrix^{-1} residual, with another smoother in the
     /// multigrid hierarchy if the usual one does not serve.
@@ -204,9 +208,10 @@ namespace Thalweg
     CellMatrices<(1 << dim)>                                cell_matrices;
     AmgPreconditioner                                       amg;
     bool                                                    singular;
+    std::unique_ptr<EnrichedMatrix<dim>>                    enriched;
     double                                                  reference_norm = 0;
-    Vector                                                  residual;
-    Vector                                                  increment;
+    EnrichedPressure                                        residual;
+    EnrichedPressure                                        increment;
     Vector                                                  field;
   };
 } // namespace Thalweg

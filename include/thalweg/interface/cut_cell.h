@@ -14,13 +14,14 @@ namespace Thalweg
   /**
    * @brief The integrals of a cell that two fluids share.
    *
-   * N are the Q1 shape functions, psi is the function that enriches the
-   * pressure (Coppola-Owen and Codina 2005):
-   * psi = sum_v N_v w_v - |phi_h|, with w_v = |phi_v| at independent nodes
-   * and the interpolated value of |phi| at hanging nodes. Defined so, a
-   * pressure with a kink on a plane is represented exactly on every mesh,
-   * and a cell beside a cut hanging face has a psi too although the
-   * interface does not pass through it.
+   * N are the Q1 shape functions, and the functions N_j psi enrich the pressure
+   * (N. Moes et al., Comput. Methods Appl. Mech. Engrg. 192, 2003), with
+   * psi = (sum_v N_v w_v - |phi_h|) / length, where w_v = |phi_v| at
+   * independent nodes and the interpolated value of |phi| at hanging nodes.
+   * Defined so, a pressure with a kink on a plane is represented exactly on
+   * every mesh, a cell beside a cut hanging face has a psi too although the
+   * interface does not pass through it, and psi is continuous: it vanishes
+   * wherever there is no kink.
    */
   template <int dim>
   struct CutCell
@@ -36,13 +37,19 @@ namespace Thalweg
     PerVertex<PerVertex<double>> laplace;     ///< int grad N_i . grad N_j / rho
     PerVertex<dealii::Tensor<1, dim>> gradient; ///< int grad N_i / rho
 
-    bool              enriched = false;
-    PerVertex<double> laplace_star;      ///< int grad N_i . grad psi / rho
-    double            laplace_star_star; ///< int grad psi . grad psi / rho
-    PerVertex<dealii::Tensor<1, dim>> star_divergence;   ///< int psi grad N_i
-    PerVertex<dealii::Tensor<1, dim>> star_gradient;     ///< int N_i grad psi
-    dealii::Tensor<1, dim>            star_load;         ///< int grad psi
-    dealii::Tensor<1, dim>            star_inverse_load; ///< int grad psi / rho
+    bool enriched = false;
+    /// [i][j]: int grad N_i . grad(N_j psi) / rho
+    PerVertex<PerVertex<double>> laplace_star;
+    /// [j][k]: int grad(N_j psi) . grad(N_k psi) / rho
+    PerVertex<PerVertex<double>> laplace_star_star;
+    /// [j][i]: int N_j psi grad N_i
+    PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_divergence;
+    /// [i][j]: int N_i grad(N_j psi)
+    PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_gradient;
+    /// [j]: int grad(N_j psi)
+    PerVertex<dealii::Tensor<1, dim>> star_load;
+    /// [j]: int grad(N_j psi) / rho
+    PerVertex<dealii::Tensor<1, dim>> star_inverse_load;
 
     /// The unit normal of the interface, pointing to fluid 1, and the
     /// viscosities of a laminate: the arithmetic mean, and the harmonic one
@@ -59,6 +66,7 @@ namespace Thalweg
    * @param cell its geometry
    * @param phi level set at the vertices, not all of one sign or equal w
    * @param w what sum N_v w_v - |phi| subtracts from, see CutCell
+   * @param length of psi, the same for all cells
    * @param fluids densities and viscosities
    * @param enrich whether to fill the enrichment; it stays off too where psi
    *   is too small to matter
@@ -69,6 +77,7 @@ namespace Thalweg
                      const typename CellGraph<dim>::Cell  &cell,
                      const std::array<double, (1 << dim)> &phi,
                      const std::array<double, (1 << dim)> &w,
+                     const double                          length,
                      const Fluids                         &fluids,
                      const bool                            enrich);
 

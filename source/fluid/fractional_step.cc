@@ -311,11 +311,17 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::remove_divergence()
+  FractionalStep<dim>::remove_divergence(const Vector &lead)
   {
     dealii::TimerOutput::Scope scope(context->timers, "divergence");
-    const SolveReport          report =
+    v.zero_out_ghost_values();
+    v.add(1., lead);
+    space->interpolate(v, dim);
+    const SolveReport report =
       cell_projection->project(v, divergence_tolerance, maximal_cg_iterations);
+    v.zero_out_ghost_values();
+    v.add(-1., lead);
+    space->interpolate(v, dim);
     context->statistics.set("divergence iterations", report.iterations);
     context->statistics.set("divergence [1/s]", report.residual);
   }
@@ -326,6 +332,7 @@ namespace Thalweg
   void
   FractionalStep<dim>::solve(const Vector &velocity_star,
                              const Vector &rate,
+                             const Vector &lead,
                              const double  duration)
   {
     for (const char *column : {"pressure iterations",
@@ -341,7 +348,11 @@ namespace Thalweg
     change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);
     if (forces->is_rotating())
-      deflect(duration);
+      {
+        change.zero_out_ghost_values();
+        change.add(2., lead);
+        deflect(duration);
+      }
     boundary->apply(v);
     space->interpolate(v, dim);
 
@@ -360,7 +371,7 @@ namespace Thalweg
       correct_pressure(duration);
     budget->record("pressure of friction", v);
     normalize_pressure();
-    remove_divergence();
+    remove_divergence(lead);
     budget->record("divergence", v);
   }
 

@@ -34,10 +34,12 @@ namespace Thalweg
     parts            = std::make_unique<Parts<dim>>(parts_);
     budget           = std::make_unique<ParticleBudget<dim>>(*parts);
     carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
+    convected_change = std::make_unique<ConvectedChange<dim>>(parts->space);
     for (Vector *vector :
-         {&convecting_velocity, &old_velocity, &velocity_star, &rate})
+         {&convecting_velocity, &old_velocity, &velocity_star, &rate, &lead})
       parts->space.initialize_velocity(*vector);
     parts->space.initialize_scalar(level_set);
+    parts->space.copy_to_cells(level_set, cell_level_set);
   }
 
 
@@ -73,6 +75,7 @@ namespace Thalweg
     state.field("convecting velocity", parts->space, convecting_velocity, dim);
     state.field("old velocity", parts->space, old_velocity, dim);
     state.field("convected velocity", parts->space, velocity_star, dim);
+    state.field("lead", parts->space, lead, dim);
     state.field("level set", parts->space, level_set, 1);
   }
 
@@ -108,7 +111,7 @@ namespace Thalweg
         rate = 0.; // nothing has moved yet
         if (time_integration == "staggered" ||
             time_integration == "trapezoidal")
-          accelerate(.5 * dt, time + .5 * dt);
+          accelerate(.5 * dt, time + .5 * dt, .5 * dt);
       }
     else if (time_integration == "trapezoidal")
       accelerate_particles(.5 * dt / acceleration_time); // (66), (81a)
@@ -156,6 +159,7 @@ namespace Thalweg
         convecting_velocity.add(factor, v);
         convecting_velocity.add(-factor, old_velocity);
       }
+    convecting_velocity.add(1., lead);
     parts->space.interpolate(convecting_velocity, dim);
     parts->space.copy_to_cells(convecting_velocity, cell_velocity);
   }
@@ -234,6 +238,22 @@ namespace Thalweg
 
 
   template <int dim>
+  void
+  Pfem2<dim>::find_lead(const double time)
+  {
+    if (time_integration != "staggered")
+      return;
+    dealii::TimerOutput::Scope scope(parts->context.timers, "convection");
+    convected_change->find(
+      parts->convection, velocity_star, cell_level_set, time, lead);
+    lead.zero_out_ghost_values();
+    parts->boundary.project(lead);
+    parts->space.interpolate(lead, dim);
+  }
+
+
+
+  template <int dim>
   double
   Pfem2<dim>::time_of_forces(const double duration, const double time) const
   {
@@ -248,7 +268,9 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::accelerate(const double duration, const double time)
+  Pfem2<dim>::accelerate(const double duration,
+                         const double time,
+                         const double half_step)
   {
     parts->conditions.set_time(time);
     parts->forces.set_time(time_of_forces(duration, time));
@@ -256,8 +278,10 @@ namespace Thalweg
     old_flow_time     = flow_time;
     flow_time         = time;
     old_velocity.copy_locally_owned_data_from(parts->flow.velocity());
-    parts->flow.solve(velocity_star, rate, acceleration_time); // (87b) to (87e)
-    accelerate_particles(1.);                                  // (87) 3
+    find_lead(half_step);
+    // (87b) to (87e)
+    parts->flow.solve(velocity_star, rate, lead, acceleration_time);
+    accelerate_particles(1.); // (87) 3
   }
 
 
@@ -322,7 +346,8 @@ namespace Thalweg
     conditions.set_time(end);
     find_rate(dt);
     accelerate(time_integration == "trapezoidal" ? .5 * dt : end - flow_time,
-               end); // (87b) to (87e), (87) 3
+               end,
+               .5 * dt); // (87b) to (87e), (87) 3
     {
       dealii::TimerOutput::Scope scope(context.timers, "population");
       n_removed = control.limit(population);

@@ -40,12 +40,16 @@ namespace Thalweg
      *   m/s^2. The pressure answers to this, not to what velocity_star is in
      *   all, in which the errors of the projection do not become less as
      *   steps do.
+     * @param lead what the velocity at the end will have changed by when
+     *   particles follow it, ghosted, m/s: the sum of both lets as much fluid
+     *   into each cell as out of it
      * @param duration of the acceleration, s
      * @throws SolverFailure
      */
     virtual void
     solve(const Vector &velocity_star,
           const Vector &rate,
+          const Vector &lead,
           const double  duration) = 0;
 
     /// Names what the next step starts from.

@@ -38,6 +38,7 @@ namespace Thalweg
     void
     solve(const Vector &velocity_star,
           const Vector &rate,
+          const Vector &lead,
           const double  duration) override;
 
     void
@@ -93,9 +94,9 @@ namespace Thalweg
      * with both velocities of the mesh: V* has come from elsewhere, and
      * against V^{n+1} it has what the pressure is to take away. So
      * V^{n+1} = D (V* - dt Omega x V^n) + D dt a, D = (1 + dt Omega x)^{-1}.
-     * This makes the first term in place of V*, which is in v, with V^n in
-     * @ref change, lets the pressure balance the difference as it does forces,
-     * and makes D for accelerate().
+     * This makes the first term in place of V*, which is in v, with V^n and
+     * the leads of both in @ref change, lets the pressure balance the
+     * difference as it does forces, and makes D for accelerate().
      */
     void
     deflect(const double duration);
@@ -110,9 +111,9 @@ namespace Thalweg
     void
     correct_pressure(const double duration);
 
-    /// Makes v free of divergence.
+    /// Makes v + @p lead free of divergence.
     void
-    remove_divergence();
+    remove_divergence(const Vector &lead);
 
     /// Ends the step: removes the constant of the pressure where it is free.
     void

@@ -2,6 +2,7 @@
 #ifndef thalweg_methods_pfem2_h
 #define thalweg_methods_pfem2_h
 
+#include <thalweg/methods/convected_change.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/methods/particle_budget.h>
 #include <thalweg/transfer/carried_distance.h>
@@ -108,6 +109,11 @@ namespace Thalweg
     void
     find_rate(const double dt);
 
+    /// Finds the lead: staggered velocities are those of the middle of a step
+    /// at the places of its beginning. @p time half a step
+    void
+    find_lead(const double time);
+
     /// Without the normal components at slip walls, and ghosted.
     void
     obey_slip_walls(Vector &velocity) const;
@@ -123,9 +129,12 @@ namespace Thalweg
 
     /// The mesh solves for what acts on the convected velocity for
     /// @p duration, and the particles take the increment: afterwards
-    /// velocities are those at @p time.
+    /// velocities are those at @p time, and particles will follow them for
+    /// twice @p half_step.
     void
-    accelerate(const double duration, const double time);
+    accelerate(const double duration,
+               const double time,
+               const double half_step);
 
     /// The particles take @p factor times the last increment of the mesh.
     void
@@ -136,11 +145,14 @@ namespace Thalweg
     std::unique_ptr<Parts<dim>>           parts;
     std::unique_ptr<ParticleBudget<dim>>  budget;
     std::unique_ptr<CarriedDistance<dim>> carried_distance;
+    std::unique_ptr<ConvectedChange<dim>> convected_change;
     Vector                                convecting_velocity;
     Vector                                old_velocity;
     Vector                                velocity_star;
     /// V* before the particles moved, then the rate at which it changed.
-    Vector            rate;
+    Vector rate;
+    /// What the flow's velocity will have changed by when particles follow it.
+    Vector            lead;
     Vector            level_set;
     CellVelocity<dim> cell_velocity;
     CellField<dim, 1> cell_level_set; ///< that new particles take

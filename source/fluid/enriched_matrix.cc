@@ -24,12 +24,15 @@ namespace Thalweg
     , boundary(boundary)
     , phase(phase)
     , standard(standard)
+    , is_given(space.dependences().n_nodes(), false)
     , star_row(space.dependences().n_nodes(), -1)
     , nodal_row(star_row)
   {
     for (Vector *vector :
          {&nodal_part, &star_part, &nodal_values, &star_values})
       space.initialize_scalar(*vector);
+    for (const auto &given : boundary.pressure_nodes())
+      is_given[given.node] = true;
     const auto &all = space.dependences().all();
     for (unsigned int first = 0, end = 0; first < all.size(); first = end)
       {
@@ -43,18 +46,6 @@ namespace Thalweg
 
   template <int dim>
   EnrichedMatrix<dim>::~EnrichedMatrix() = default;
-
-
-
-  template <int dim>
-  void
-  EnrichedMatrix<dim>::initialize(EnrichedPressure &pressure) const
-  {
-    pressure.reinit(2);
-    for (unsigned int b = 0; b < 2; ++b)
-      space.initialize_scalar(pressure.block(b));
-    pressure.collect_sizes();
-  }
 
 
 
@@ -123,30 +114,24 @@ namespace Thalweg
     for (const unsigned int node : nodes)
       star_row[node] = nodal_row[node] = -1;
     nodes.clear();
-    star_part      = 0.;
-    const auto add = [this](const unsigned int i,
-                            const unsigned int j,
-                            const double,
-                            const double S) {
+    star_part = 0.;
+    for_each_entry([this](const unsigned int i,
+                          const unsigned int j,
+                          const double,
+                          const double S) {
       if (i == j)
         star_part.local_element(i) += S;
-    };
-    for_each_entry(add);
+    });
     star_part.compress(dealii::VectorOperation::add);
+    n_rows = 0;
     for (unsigned int n = 0; n < star_part.locally_owned_size(); ++n)
       if (star_part.local_element(n) > 0.)
-        nodes.push_back(n);
-    for (const auto &given : boundary.pressure_nodes())
-      nodal_row[given.node] = 0;
-    n_rows = 0;
-    for (const unsigned int node : nodes)
-      {
-        star_row[node] = n_rows++;
-        nodal_row[node] =
-          nodal_row[node] == 0 ? -1 : static_cast<int>(n_rows++);
-      }
-    for (const auto &given : boundary.pressure_nodes())
-      nodal_row[given.node] = -1;
+        {
+          nodes.push_back(n);
+          star_row[n] = n_rows++;
+          if (!is_given[n])
+            nodal_row[n] = n_rows++;
+        }
   }
 
 
@@ -298,10 +283,18 @@ namespace Thalweg
 
   template <int dim>
   void
-  EnrichedMatrix<dim>::solve_rows(EnrichedPressure &pressure) const
+  EnrichedMatrix<dim>::solve_rows() const
   {
     if (n_rows > 0)
       inverse->solve(solution, rows);
+  }
+
+
+
+  template <int dim>
+  void
+  EnrichedMatrix<dim>::write_rows(EnrichedPressure &pressure) const
+  {
     for (const unsigned int node : nodes)
       {
         star(pressure).local_element(node) =
@@ -322,7 +315,8 @@ namespace Thalweg
   {
     pressure = 0.;
     read_rows(load);
-    solve_rows(pressure);
+    solve_rows();
+    write_rows(pressure);
   }
 
 
@@ -333,7 +327,8 @@ namespace Thalweg
                                     const EnrichedPressure  &load,
                                     const AmgPreconditioner &amg) const
   {
-    invert_beside_interface(result, load);
+    read_rows(load);
+    solve_rows();
     nodal_part.zero_out_ghost_values();
     nodal_part.copy_locally_owned_data_from(nodal(load));
     for (const Entry &link : links)
@@ -347,7 +342,9 @@ namespace Thalweg
     for (const Entry &link : links)
       rows.local_element(link.row) -=
         link.value * nodal(result).local_element(link.column);
-    solve_rows(result);
+    solve_rows();
+    star(result) = 0.;
+    write_rows(result);
   }
 
 

@@ -70,8 +70,8 @@ namespace Thalweg
                                                             *mass,
                                                             *pressure_system);
     viscous = std::make_unique<ViscousOperator<dim>>(*space, *boundary, *phase);
-    pressure_system->initialize(p);
-    pressure_system->initialize(dp);
+    Thalweg::initialize(*space, p);
+    Thalweg::initialize(*space, dp);
     space->initialize_velocity(force);
     space->initialize_velocity(change);
     space->initialize_velocity(before_friction);
@@ -144,12 +144,13 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::deflect(const double duration)
+  FractionalStep<dim>::deflect(const Vector &lead, const double duration)
   {
     const dealii::Tensor<2, dim> spin = duration * forces->spin();
     deflection = dealii::invert(dealii::unit_symmetric_tensor<dim>() + spin);
     // change: what the rotation makes of V*, from the velocity before
     change.zero_out_ghost_values();
+    change.add(2., lead);
     turn(spin, change);
     change.sadd(-1., 1., v);
     turn(deflection, change);
@@ -298,10 +299,7 @@ namespace Thalweg
         change.add(-1., v);
         const double norm = v.l2_norm();
         difference        = norm > 0 ? change.l2_norm() / norm : 0.;
-        p.zero_out_ghost_values();
-        p.add(1., dp);
-        for (unsigned int b = 0; b < 2; ++b)
-          space->interpolate(p.block(b), 1);
+        add(*space, dp, p);
       }
     statistics.set("fractional step iterations", i);
     statistics.set("velocity change", i == 0 ? 0. : difference);
@@ -348,11 +346,7 @@ namespace Thalweg
     change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);
     if (forces->is_rotating())
-      {
-        change.zero_out_ghost_values();
-        change.add(2., lead);
-        deflect(duration);
-      }
+      deflect(lead, duration);
     boundary->apply(v);
     space->interpolate(v, dim);
 

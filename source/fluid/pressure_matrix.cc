@@ -13,14 +13,14 @@ namespace Thalweg
   void
   PressureSystem<dim>::initialize_matrix()
   {
-    const auto &dofs = space.scalar();
+    const auto &dofs    = space.scalar();
+    const auto &scalars = *nodal(residual).get_partitioner();
     constraints.copy_from(space.scalar_constraints());
     dealii::AffineConstraints<double> open(
       space.scalar_constraints().get_local_lines());
     for (const auto &node : boundary.pressure_nodes())
       {
-        const auto index =
-          field.get_partitioner()->local_to_global(dim * node.node) / dim;
+        const auto index = scalars.local_to_global(node.node);
         if (open.can_store_line(index))
           open.add_line(index);
       }
@@ -43,9 +43,7 @@ namespace Thalweg
       space.mesh().graph().n_owned_cells());
     for (unsigned int c = 0; c < cells.size(); ++c)
       for (unsigned int v = 0; v < (1 << dim); ++v)
-        cells[c][v] =
-          field.get_partitioner()->local_to_global(dim * space.nodes(c)[v]) /
-          dim;
+        cells[c][v] = scalars.local_to_global(space.nodes(c)[v]);
     cell_matrices.initialize(*matrix, constraints, cells);
     enriched =
       std::make_unique<EnrichedMatrix<dim>>(space, boundary, phase, *matrix);

@@ -19,10 +19,10 @@ namespace Thalweg
     , forces(forces)
     , singular(!boundary.conditions().has_open_boundary())
   {
+    initialize(space, residual);
+    initialize(space, increment);
     space.initialize_velocity(field);
     initialize_matrix();
-    enriched->initialize(residual);
-    enriched->initialize(increment);
   }
 
 
@@ -155,12 +155,12 @@ namespace Thalweg
           add_forces(c, load);
         if (pressure)
           subtract_pressure(c, *pressure, load);
-        for (unsigned int v = 0; v < load.nodal.size(); ++v)
-          {
-            nodal(residual).local_element(space.nodes(c)[v]) += load.nodal[v];
-            if (enriched_cell(c))
-              star(residual).local_element(space.nodes(c)[v]) += load.star[v];
-          }
+        const auto &nodes = space.nodes(c);
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          nodal(residual).local_element(nodes[v]) += load.nodal[v];
+        if (enriched_cell(c))
+          for (unsigned int v = 0; v < nodes.size(); ++v)
+            star(residual).local_element(nodes[v]) += load.star[v];
       }
     space.fold(nodal(residual), 1);
     space.fold(star(residual), 1);
@@ -182,7 +182,7 @@ namespace Thalweg
         // Given pressures are part of the right hand side: they may be all
         // that moves the fluid.
         EnrichedPressure given;
-        initialize(given);
+        initialize(space, given);
         apply_open_boundary(nodal(given));
         space.interpolate(nodal(given), 1);
         assemble_residual(rate, true, &given);
@@ -191,12 +191,7 @@ namespace Thalweg
     assemble_residual(rate, with_forces, with_forces ? &pressure : nullptr);
     const SolveReport report =
       solve(tolerance * reference_norm, maximal_iterations);
-    for (unsigned int b = 0; b < 2; ++b)
-      {
-        pressure.block(b).zero_out_ghost_values();
-        pressure.block(b).add(1., increment.block(b));
-        space.interpolate(pressure.block(b), 1);
-      }
+    add(space, increment, pressure);
     return report;
   }
 

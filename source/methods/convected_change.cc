@@ -26,7 +26,6 @@ namespace Thalweg
     };
     Vector keys;
     space.initialize_scalar(keys);
-    keys = std::numeric_limits<double>::lowest();
     for (unsigned int n = 0; n < space.dependences().n_nodes(); ++n)
       keys.local_element(n) = std::numeric_limits<double>::lowest();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
@@ -74,7 +73,6 @@ namespace Thalweg
         change.local_element(dim * nodes[k] + d) =
           feet[k].velocity[d] - velocity.local_element(dim * nodes[k] + d);
     change.compress(dealii::VectorOperation::add);
-    space.interpolate(change, dim);
   }
 
 

@@ -34,11 +34,13 @@ namespace Thalweg
     parts            = std::make_unique<Parts<dim>>(parts_);
     budget           = std::make_unique<ParticleBudget<dim>>(*parts);
     carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
-    convected_change = std::make_unique<ConvectedChange<dim>>(parts->space);
+    if (time_integration == "staggered")
+      convected_change = std::make_unique<ConvectedChange<dim>>(parts->space);
     for (Vector *vector :
          {&convecting_velocity, &old_velocity, &velocity_star, &rate, &lead})
       parts->space.initialize_velocity(*vector);
     parts->space.initialize_scalar(level_set);
+    // The first way back along a streamline comes before the first step.
     parts->space.copy_to_cells(level_set, cell_level_set);
   }
 
@@ -241,12 +243,11 @@ namespace Thalweg
   void
   Pfem2<dim>::find_lead(const double time)
   {
-    if (time_integration != "staggered")
+    if (convected_change == nullptr)
       return;
     dealii::TimerOutput::Scope scope(parts->context.timers, "convection");
     convected_change->find(
       parts->convection, velocity_star, cell_level_set, time, lead);
-    lead.zero_out_ghost_values();
     parts->boundary.project(lead);
     parts->space.interpolate(lead, dim);
   }

@@ -31,7 +31,7 @@ namespace
                                *scene.phase,
                                scene.forces);
     EnrichedPressure    p;
-    system.initialize(p);
+    initialize(*scene.space, p);
     system.apply_open_boundary(nodal(p));
     scene.space->interpolate(nodal(p), 1);
     system.assemble();
@@ -281,7 +281,7 @@ TYPED_TEST(PressureSystemMpi, TheGradientPushesAsThePressureFalls)
                              *scene.phase,
                              scene.forces);
   EnrichedPressure    p;
-  system.initialize(p);
+  initialize(*scene.space, p);
   nodal(p) = scene.scalar([](const auto &x) { return 3. * x[0] - x[1]; });
   Vector force;
   scene.space->initialize_velocity(force);

@@ -48,6 +48,31 @@ namespace Thalweg
     return pressure.block(1);
   }
 
+  /// Makes @p pressure zero at the nodes of @p space.
+  template <int dim>
+  void
+  initialize(const NodeSpace<dim> &space, EnrichedPressure &pressure)
+  {
+    pressure.reinit(2);
+    for (unsigned int b = 0; b < pressure.n_blocks(); ++b)
+      space.initialize_scalar(pressure.block(b));
+    pressure.collect_sizes();
+  }
+
+  /// Adds @p increment, of which owned values count, to @p pressure and makes
+  /// that ghosted and consistent.
+  template <int dim>
+  void
+  add(const NodeSpace<dim>   &space,
+      const EnrichedPressure &increment,
+      EnrichedPressure       &pressure)
+  {
+    pressure.zero_out_ghost_values();
+    pressure.add(1., increment);
+    for (unsigned int b = 0; b < pressure.n_blocks(); ++b)
+      space.interpolate(pressure.block(b), 1);
+  }
+
   /**
    * @brief The stiffness of a pressure with its enrichment,
    *
@@ -78,10 +103,6 @@ namespace Thalweg
                    const PhaseField<dim>                        &phase,
                    const dealii::TrilinosWrappers::SparseMatrix &standard);
     ~EnrichedMatrix();
-
-    /// A zero pressure.
-    void
-    initialize(EnrichedPressure &pressure) const;
 
     /// Reads the present phases. Collective.
     void
@@ -155,9 +176,13 @@ namespace Thalweg
     void
     read_rows(const EnrichedPressure &load) const;
 
-    /// Inverts them and sets the nodes' values.
+    /// solution = the inverse times rows
     void
-    solve_rows(EnrichedPressure &pressure) const;
+    solve_rows() const;
+
+    /// Sets the nodes' values to the solution.
+    void
+    write_rows(EnrichedPressure &pressure) const;
 
     const NodeSpace<dim>                         &space;
     const BoundaryNodes<dim>                     &boundary;
@@ -166,7 +191,8 @@ namespace Thalweg
     /// Of each dependent node: where its dependences begin and end.
     std::unordered_map<unsigned int, std::pair<unsigned int, unsigned int>>
                               dependences;
-    std::vector<unsigned int> nodes; ///< owned, of cut cells
+    std::vector<bool>         is_given; ///< local nodes at open boundaries
+    std::vector<unsigned int> nodes;    ///< owned, of cut cells
     /// Of each local node: the row of its q, and of its p; -1 for none
     std::vector<int> star_row, nodal_row;
     unsigned int     n_rows = 0;

@@ -99,7 +99,7 @@ namespace Thalweg
      * difference as it does forces, and makes D for accelerate().
      */
     void
-    deflect(const double duration);
+    deflect(const Vector &lead, const double duration);
 
     /// (87b): v += (M/dt + K)^{-1} (-K v)
     /// @return whether friction changes anything

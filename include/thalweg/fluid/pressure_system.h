@@ -64,13 +64,6 @@ namespace Thalweg
       return field;
     }
 
-    /// A zero pressure.
-    void
-    initialize(EnrichedPressure &pressure) const
-    {
-      enriched->initialize(pressure);
-    }
-
     /// Adds @p factor times a nodal acceleration to what the next solve with
     /// forces balances. @param other ghosted and consistent, m/s^2
     void

@@ -28,7 +28,7 @@ namespace Thalweg
      * @param velocity ghosted and consistent, m/s
      * @param level_set whatever is at hand
      * @param time t, s
-     * @param change m/s, ghosted and consistent
+     * @param change m/s, owned values at independent nodes
      */
     void
     find(const StreamlineConvection<dim> &convection,

@@ -145,7 +145,7 @@ namespace Thalweg
     std::unique_ptr<Parts<dim>>           parts;
     std::unique_ptr<ParticleBudget<dim>>  budget;
     std::unique_ptr<CarriedDistance<dim>> carried_distance;
-    std::unique_ptr<ConvectedChange<dim>> convected_change;
+    std::unique_ptr<ConvectedChange<dim>> convected_change; ///< if staggered
     Vector                                convecting_velocity;
     Vector                                old_velocity;
     Vector                                velocity_star;

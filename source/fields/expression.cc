@@ -120,9 +120,12 @@ namespace Thalweg
             const unsigned int        component = 0) const override
       {
         const double value = dealii::FunctionParser<dim>::value(x, component);
-        if (!std::isfinite(value))
-          refuse(x, value, component);
-        return value;
+        if (std::isfinite(value))
+          return value;
+        const std::string message = describe(x, value, component);
+        if (!ExpressionFaults::remember(message))
+          throw dealii::ExcMessage(message);
+        return 0.;
       }
 
       /// The value, whatever it is.
@@ -133,10 +136,10 @@ namespace Thalweg
       }
 
     private:
-      [[noreturn]] void
-      refuse(const dealii::Point<dim> &x,
-             const double              value,
-             const unsigned int        component) const
+      std::string
+      describe(const dealii::Point<dim> &x,
+               const double              value,
+               const unsigned int        component) const
       {
         std::ostringstream message;
         message.precision(10);
@@ -148,12 +151,52 @@ namespace Thalweg
         message << ". It must be a finite number in all of the domain at all "
                    "times; 'if(condition, value, otherwise)' can keep it away "
                    "from roots of negative numbers and divisions by zero.";
-        throw dealii::ExcMessage(message.str());
+        return message.str();
       }
 
       const std::string name;
     };
+
+
+
+    /// The one that lives.
+    ExpressionFaults *keeper = nullptr;
   } // namespace
+
+
+
+  ExpressionFaults::ExpressionFaults()
+  {
+    Assert(keeper == nullptr, dealii::ExcInternalError());
+    keeper = this;
+  }
+
+
+
+  ExpressionFaults::~ExpressionFaults()
+  {
+    keeper = nullptr;
+  }
+
+
+
+  void
+  ExpressionFaults::check() const
+  {
+    AssertThrow(first.empty(), dealii::ExcMessage(first));
+  }
+
+
+
+  bool
+  ExpressionFaults::remember(const std::string &message)
+  {
+    if (keeper == nullptr)
+      return false;
+    if (keeper->first.empty())
+      keeper->first = message;
+    return true;
+  }
 
 
 

@@ -43,10 +43,27 @@ namespace Thalweg
 
   template <int dim>
   void
+  Simulation<dim>::stop_if_it_fails(const std::function<void()> &work)
+  {
+    try
+      {
+        work();
+      }
+    catch (const dealii::ExcMessage &failure)
+      {
+        stop_before_step(message_of(failure));
+      }
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::advance()
   {
     constexpr unsigned int most_halvings = 4;
-    parts->check_flux_balance_of_step(time + dt);
+    const ExpressionFaults faults;
+    stop_if_it_fails([&]() { parts->check_flux_balance_of_step(time + dt); });
     before_step.save(*parts);
     const Archive row;
     context.statistics.keep(row, context.log);
@@ -64,6 +81,8 @@ namespace Thalweg
           before_step.restore(*parts);
           // What the failed attempt counted is not of the step.
           context.statistics.keep(row.reader(), context.log);
+          stop_if_it_fails(
+            [&]() { on_all(context.communicator, [&]() { faults.check(); }); });
           if (n_halvings == most_halvings)
             give_up(failure.what());
           dt *= .5;
@@ -73,14 +92,15 @@ namespace Thalweg
                   << " It is repeated with half the size, " << dt << " s.";
           context.log.warning(message.str());
         }
-    check_step(row);
+    check_step(row, faults);
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::check_step(const Archive &row)
+  Simulation<dim>::check_step(const Archive          &row,
+                              const ExpressionFaults &faults)
   {
     const double old_time = time, old_dt = last_dt, old_wanted = wanted_dt;
     const unsigned int old_step = step;
@@ -90,7 +110,10 @@ namespace Thalweg
     ++step;
     try
       {
-        on_all(context.communicator, [&]() { check_finite(view()); });
+        on_all(context.communicator, [&]() {
+          faults.check();
+          check_finite(view());
+        });
       }
     catch (const dealii::ExcMessage &failure)
       {

@@ -63,6 +63,23 @@ TEST(Expression, NamesTheComponentThatIsNotFinite)
 
 
 
+TEST(Expression, FaultsAreRememberedWhereSomebodyAsksForThemLater)
+{
+  const auto function = parse_expression<2>("1/x", 1, "Here");
+  {
+    const ExpressionFaults faults;
+    EXPECT_EQ(complaint_of([&]() { faults.check(); }), "");
+    EXPECT_EQ(function->value({.5, 0.}), 2.);
+    EXPECT_EQ(function->value({0., 1.}), 0.);
+    EXPECT_EQ(function->value({0., 2.}), 0.);
+    EXPECT_NE(complaint_of([&]() { faults.check(); }).find("at (0 1)"),
+              std::string::npos);
+  }
+  EXPECT_NE(complaint_of([&]() { function->value({0., 1.}); }), "");
+}
+
+
+
 TEST(Expression, KnowsWhetherItDependsOnTime)
 {
   for (const char *text : {"t", "sin(2*t)", "x*t", "t+1; 0"})

@@ -2,6 +2,7 @@
 #ifndef thalweg_simulation_simulation_h
 #define thalweg_simulation_simulation_h
 
+#include <thalweg/fields/expression.h>
 #include <thalweg/simulation/checkpoint_store.h>
 #include <thalweg/simulation/mesh_adaptation.h>
 #include <thalweg/simulation/progress.h>
@@ -11,6 +12,7 @@
 #include <thalweg/simulation/volume_watch.h>
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -124,6 +126,10 @@ namespace Thalweg
     [[noreturn]] void
     stop_before_step(const std::string &reason);
 
+    /// Saves the state and throws if @p work throws, on all processes.
+    void
+    stop_if_it_fails(const std::function<void()> &work);
+
     /// Makes the step that is planned: adapts the mesh, advances, evaluates.
     /// @return what signals said meanwhile
     StopSignals::Wish
@@ -132,9 +138,10 @@ namespace Thalweg
     /// The state is what it was before the step, and the run ends, if anything
     /// in it is no number.
     /// @param row the statistics before the step
+    /// @param faults of expressions during the step
     /// @throws dealii::ExcMessage on all processes
     void
-    check_step(const Archive &row);
+    check_step(const Archive &row, const ExpressionFaults &faults);
 
     /// Says how the run ended.
     int

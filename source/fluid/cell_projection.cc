@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/gather.h>
 #include <thalweg/fields/q1_integrals.h>
@@ -256,7 +257,7 @@ namespace Thalweg
         if (step * product <= tolerance * tolerance * energy)
           break;
         if (!(report.iterations < maximum))
-          throw SolverFailure(
+          throw StepFailure(
             "The linear solver for the divergence did not converge: after " +
             std::to_string(maximum) +
             " iterations the velocity still changes by more than 'Divergence "

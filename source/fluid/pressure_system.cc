@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/gather.h>
 #include <thalweg/fields/interpolation.h>
@@ -221,7 +222,7 @@ namespace Thalweg
       {
         attempt(std::min(maximal_iterations, patience));
       }
-    catch (const SolverFailure &)
+    catch (const StepFailure &)
       {
         amg.build(*matrix, AmgPreconditioner::Smoother::chebyshev);
         attempt(maximal_iterations);

@@ -213,7 +213,7 @@ namespace Thalweg
                                      "direct viscous",
                                      "direct"};
       if (by_residual)
-        parts.push_back("residual");
+        parts.emplace_back("residual");
       std::vector<std::string> columns{"time [s]"};
       for (const std::string &part : parts)
         {

@@ -39,7 +39,7 @@ namespace Thalweg
           columns.push_back(std::string(1, "xyz"[d]) + " [m]");
         for (unsigned int d = 0; d < dim; ++d)
           columns.push_back(std::string("velocity ") + "xyz"[d] + " [m/s]");
-        columns.push_back("pressure [Pa]");
+        columns.emplace_back("pressure [Pa]");
         table.open(context, "line_profile", columns);
       }
 

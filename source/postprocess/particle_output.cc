@@ -21,7 +21,7 @@ namespace Thalweg
         dim, component_is_part_of_vector);
       for (const char *name : {"level_set", "volume", "fluid"})
         {
-          names.push_back(name);
+          names.emplace_back(name);
           interpretations.push_back(component_is_scalar);
         }
       dealii::Particles::DataOut<dim> data;

@@ -118,6 +118,7 @@ namespace Thalweg
           cells.emplace(cell->id(), cell);
       std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>
         result;
+      result.reserve(cells.size());
       for (const auto &[id, cell] : cells)
         result.push_back(cell);
       return result;

@@ -70,8 +70,7 @@ namespace Thalweg
     for (unsigned int i = 0; i < n && mark(); ++i)
       {
         parameters.balance.count(view());
-        parts.particles().handler().clear_particles();
-        parts.dispersed().handler().clear_particles();
+        parts.clear_particles();
         mesh.triangulation().execute_coarsening_and_refinement();
         mesh.update();
         parts.set_initial_state();
@@ -98,7 +97,7 @@ namespace Thalweg
   {
     parameters.balance.count(view());
     const Archive     values;
-    MeshTransfer<dim> transfer(mesh, {parts.particles(), parts.dispersed()});
+    MeshTransfer<dim> transfer(mesh);
     {
       const State<dim> state(values);
       keep(state);

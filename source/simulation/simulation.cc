@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
-#include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/frame_record.h>

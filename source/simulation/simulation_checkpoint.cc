@@ -148,11 +148,11 @@ namespace Thalweg
     const State<dim> state(values);
     parts->keep_constants(values.enter("constants"));
     keep(state);
-    MeshTransfer<dim> transfer(mesh, {parts->particles(), parts->dispersed()});
+    MeshTransfer<dim> transfer(mesh);
     CheckpointContent content;
     content.cells  = mesh.cells_on_curve();
     content.packed = transfer.pack_to_save(state);
-    transfer.keep(values.enter("fields"));
+    transfer.keep(values.enter("cells"));
     content.values = values.bytes();
     CheckpointOutline outline;
     outline.step              = step;
@@ -256,10 +256,10 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     const State<dim>           state(values);
-    MeshTransfer<dim> transfer(mesh, {parts->particles(), parts->dispersed()});
+    MeshTransfer<dim>          transfer(mesh);
     with_name_of(checkpoint, [&]() {
       keep(state);
-      transfer.keep(values.enter("fields"));
+      transfer.keep(values.enter("cells"));
       on_all(context.communicator, [&]() { check_numbers(checkpoint); });
     });
     const auto [begin, end] = cells_of_rank(mesh);

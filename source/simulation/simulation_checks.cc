@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What Simulation says before the first step, and what it checks in each.
+#include <thalweg/core/errors.h>
 #include <thalweg/simulation/missing_fluid.h>
 #include <thalweg/simulation/simulation.h>
 

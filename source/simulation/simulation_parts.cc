@@ -73,6 +73,8 @@ namespace Thalweg
     , conditions(parameters.boundary_conditions, mesh)
     , population(mesh)
     , dispersed_(mesh)
+    , carried_population(population)
+    , carried_dispersed(dispersed_)
   {
     parameters.forces.initialize(parameters.time.end_time());
     parameters.population.level_set_is_sign =
@@ -263,6 +265,16 @@ namespace Thalweg
 
   template <int dim>
   void
+  SimulationParts<dim>::clear_particles()
+  {
+    carried_population.clear();
+    carried_dispersed.clear();
+  }
+
+
+
+  template <int dim>
+  void
   SimulationParts<dim>::set_initial_state()
   {
     carried_distance = 0;
@@ -286,8 +298,7 @@ namespace Thalweg
       dealii::Utilities::MPI::max<unsigned int>(searches, context.communicator)
         ? static_cast<const dealii::Function<dim> &>(distance)
         : *expression;
-    population.handler().clear_particles();
-    dispersed_.handler().clear_particles();
+    clear_particles();
     seed(population,
          parameters.seeding,
          *velocity,
@@ -347,6 +358,8 @@ namespace Thalweg
   {
     exchange->keep(state.values().enter("exchange"));
     population.keep(state.values().enter("particles"));
+    state.carry("particles", carried_population);
+    state.carry("drops and bubbles", carried_dispersed);
     parameters.fluid_solver->keep(state.enter("fluid solver"));
     parameters.method->keep(state.enter("method"));
   }

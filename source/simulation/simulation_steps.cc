@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The steps of a run, and how they end.
 #include <thalweg/core/errors.h>
-#include <thalweg/linear_algebra/krylov.h>
 #include <thalweg/simulation/finite_state.h>
 #include <thalweg/simulation/simulation.h>
 
@@ -22,7 +21,7 @@ namespace Thalweg
     message << "Step " << step + 1 << " (t = " << time
             << " s) failed again and again, at last with a size of " << dt
             << " s: " << reason << advice;
-    throw SolverFailure(message.str());
+    throw StepFailure(message.str());
   }
 
 
@@ -59,12 +58,24 @@ namespace Thalweg
 
   template <int dim>
   void
+  Simulation<dim>::undo_step(const Archive &row)
+  {
+    before_step.restore([&](const State<dim> &state) { parts->keep(state); });
+    parts->update();
+    // What the failed attempt counted is not of the step.
+    context.statistics.keep(row.reader(), context.log);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::advance()
   {
     constexpr unsigned int most_halvings = 4;
     const ExpressionFaults faults;
     stop_if_it_fails([&]() { parts->check_flux_balance_of_step(time + dt); });
-    before_step.save(*parts);
+    before_step.save([&](const State<dim> &state) { parts->keep(state); });
     const Archive row;
     context.statistics.keep(row, context.log);
     for (unsigned int n_halvings = 0;; ++n_halvings)
@@ -76,11 +87,9 @@ namespace Thalweg
           parameters.method->advance(time, dt);
           break;
         }
-      catch (const SolverFailure &failure)
+      catch (const StepFailure &failure)
         {
-          before_step.restore(*parts);
-          // What the failed attempt counted is not of the step.
-          context.statistics.keep(row.reader(), context.log);
+          undo_step(row);
           stop_if_it_fails(
             [&]() { on_all(context.communicator, [&]() { faults.check(); }); });
           if (n_halvings == most_halvings)
@@ -121,8 +130,7 @@ namespace Thalweg
         last_dt   = old_dt;
         wanted_dt = old_wanted;
         step      = old_step;
-        before_step.restore(*parts);
-        context.statistics.keep(row.reader(), context.log);
+        undo_step(row);
         stop_before_step(message_of(failure));
       }
   }

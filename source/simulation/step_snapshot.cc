@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/registry.h>
 #include <thalweg/simulation/step_snapshot.h>
 
 namespace Thalweg
 {
   template <int dim>
   void
-  StepSnapshot<dim>::save(SimulationParts<dim> &parts)
+  StepSnapshot<dim>::save(const Keep &keep)
   {
     values = Archive();
     const State<dim> state(values);
-    parts.keep(state);
+    keep(state);
     fields.resize(state.fields().size());
     for (unsigned int i = 0; i < fields.size(); ++i)
       fields[i] = *state.fields()[i].vector;
-    particles.save(parts.particles());
-    dispersed.save(parts.dispersed());
+    for (const auto &[name, item] : state.carried())
+      item->save();
   }
 
 
 
   template <int dim>
   void
-  StepSnapshot<dim>::restore(SimulationParts<dim> &parts) const
+  StepSnapshot<dim>::restore(const Keep &keep) const
   {
     const State<dim> state(values.reader());
-    parts.keep(state);
+    keep(state);
     for (unsigned int i = 0; i < fields.size(); ++i)
       {
         const auto &field = state.fields()[i];
@@ -32,9 +33,8 @@ namespace Thalweg
         field.vector->copy_locally_owned_data_from(fields[i]);
         field.space->interpolate(*field.vector, field.n_components);
       }
-    particles.restore(parts.particles());
-    dispersed.restore(parts.dispersed());
-    parts.update();
+    for (const auto &[name, item] : state.carried())
+      item->restore();
   }
 
 

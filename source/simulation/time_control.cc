@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
 #include <thalweg/simulation/time_control.h>
-
-#include <deal.II/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

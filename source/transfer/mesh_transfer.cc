@@ -1,84 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/core/bytes.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/lagrange_shape.h>
-#include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/sub_cell.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
-#include <deal.II/base/geometry_info.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace Thalweg
 {
   namespace
   {
-    template <int dim>
-    void
-    append_particle(std::vector<char>         &bytes,
-                    const ParticleRecord<dim> &particle)
-    {
-      append_plain(bytes, particle.id);
-      append_plain(bytes, particle.position);
-      append_plain(bytes, particle.reference);
-      append_plain(bytes, particle.properties);
-    }
-
-    template <int dim>
-    ParticleRecord<dim>
-    read_particle(PlainReader &reader)
-    {
-      ParticleRecord<dim> particle;
-      reader.read(particle.id);
-      reader.read(particle.position);
-      reader.read(particle.reference);
-      reader.read(particle.properties);
-      return particle;
-    }
-
-    /// Makes what each owned cell has received the population.
-    template <int dim>
-    void
-    store(const std::vector<std::vector<ParticleRecord<dim>>> &received,
-          Population<dim>                                     &population)
-    {
-      std::size_t n_particles = 0;
-      for (const auto &cell : received)
-        n_particles += cell.size();
-      population.handler().clear_particles();
-      population.handler().reserve(n_particles);
-      for (unsigned int c = 0; c < received.size(); ++c)
-        store_in_cell(population,
-                      c,
-                      received[c].size(),
-                      [&](const unsigned int k) -> const ParticleRecord<dim> & {
-                        return received[c][k];
-                      });
-      population.handler().update_cached_numbers();
-    }
-
-    /// @p reference of a cell's parent in the child that covers it.
-    template <int dim>
-    dealii::Point<dim>
-    from_parent(const dealii::Point<dim> &reference, const unsigned int child)
-    {
-      auto inside =
-        dealii::GeometryInfo<dim>::cell_to_child_coordinates(reference, child);
-      for (unsigned int d = 0; d < dim; ++d)
-        inside[d] = std::max(0., inside[d]);
-      return inside;
-    }
-
-    template <int dim>
-    dealii::Point<dim>
-    to_parent(const dealii::Point<dim> &reference, const unsigned int child)
-    {
-      return dealii::GeometryInfo<dim>::child_to_cell_coordinates(reference,
-                                                                  child);
-    }
-
     /// The number of the node of Lagrange elements at @p unit.
     template <int dim>
     unsigned int
@@ -120,16 +51,6 @@ namespace Thalweg
 
 
   template <int dim>
-  MeshTransfer<dim>::MeshTransfer(Mesh<dim>         &mesh,
-                                  const Populations &populations)
-    : mesh(mesh)
-    , populations(populations)
-    , particles(populations.size())
-  {}
-
-
-
-  template <int dim>
   void
   MeshTransfer<dim>::take(const State<dim> &state)
   {
@@ -146,8 +67,13 @@ namespace Thalweg
         n_values.push_back(field.space->n_nodes_per_cell() *
                            field.n_components);
       }
-    for (unsigned int p = 0; p < populations.size(); ++p)
-      particles[p].save(populations[p]);
+    carried = state.carried();
+    names_of_carried.clear();
+    for (const auto &[name, item] : carried)
+      {
+        names_of_carried.push_back(name);
+        item->save();
+      }
   }
 
 
@@ -157,8 +83,8 @@ namespace Thalweg
   MeshTransfer<dim>::pack(const State<dim> &state)
   {
     take(state);
-    for (Population<dim> &population : populations)
-      population.handler().clear_particles();
+    for (const auto &[name, item] : carried)
+      item->clear();
     handle = mesh.triangulation().register_data_attach(
       [this](const CellIterator &cell, const auto status) {
         return pack_cell(cell, Compat::fate<dim>(status));
@@ -174,6 +100,7 @@ namespace Thalweg
   {
     archive.value("names", names);
     archive.value("values of a cell", n_values);
+    archive.value("carried", names_of_carried);
   }
 
 
@@ -220,24 +147,8 @@ namespace Thalweg
                          values[k].local_element(field.n_components * node +
                                                  d));
         }
-    const unsigned int n_sources = is_coarsened ? cell->n_children() : 1u;
-    const auto         source    = [&](const unsigned int c) {
-      return graph.index(is_coarsened ? cell->child(c) : cell);
-    };
-    for (const PopulationSnapshot<dim> &population : particles)
-      {
-        std::uint32_t n = 0;
-        for (unsigned int c = 0; c < n_sources; ++c)
-          n += population.in_cell(source(c)).size();
-        append_plain(bytes, n);
-        for (unsigned int c = 0; c < n_sources; ++c)
-          for (ParticleRecord<dim> particle : population.in_cell(source(c)))
-            {
-              if (is_coarsened)
-                particle.reference = to_parent<dim>(particle.reference, c);
-              append_particle<dim>(bytes, particle);
-            }
-      }
+    for (const auto &[name, item] : carried)
+      item->pack(cell, fate, bytes);
     return bytes;
   }
 
@@ -288,31 +199,6 @@ namespace Thalweg
 
   template <int dim>
   void
-  MeshTransfer<dim>::unpack_particle(ParticleRecord<dim>    particle,
-                                     const CellIterator    &cell,
-                                     const Compat::CellFate fate,
-                                     Received              &received) const
-  {
-    const CellGraph<dim> &graph  = mesh.graph();
-    CellIterator          target = cell;
-    if (fate == Compat::CellFate::is_refined)
-      {
-        const auto child   = sub_cell<dim>(particle.reference);
-        target             = cell->child(child);
-        particle.reference = from_parent<dim>(particle.reference, child);
-      }
-    // Where boundaries are curved, children do not lie in their parents.
-    const unsigned int index = graph.index(target);
-    if (fate != Compat::CellFate::persists && !graph.cell(index).axis_parallel)
-      particle.position =
-        Q1::position<dim>(graph.cell(index).vertices, particle.reference);
-    received[index].push_back(particle);
-  }
-
-
-
-  template <int dim>
-  void
   MeshTransfer<dim>::unpack_cell(const CellIterator    &cell,
                                  const Compat::CellFate fate,
                                  const char            *bytes,
@@ -329,13 +215,8 @@ namespace Thalweg
         if (fields[k].vector != nullptr)
           unpack_field(fields[k], cell, fate, values);
       }
-    for (Received &population : received)
-      {
-        std::uint32_t n = 0;
-        reader.read(n);
-        for (std::uint32_t i = 0; i < n; ++i)
-          unpack_particle(read_particle<dim>(reader), cell, fate, population);
-      }
+    for (const auto &[name, item] : carried)
+      item->unpack(cell, fate, reader);
     AssertThrow(reader.left() == 0,
                 dealii::ExcMessage("its cells hold more than they should"));
   }
@@ -349,9 +230,17 @@ namespace Thalweg
     fields.clear();
     for (const std::string &name : names)
       fields.push_back(find(state, name));
-    received.assign(populations.size(), Received(mesh.graph().n_owned_cells()));
     for (const auto &field : state.fields())
       field.vector->zero_out_ghost_values();
+    carried      = state.carried();
+    bool is_same = carried.size() == names_of_carried.size();
+    for (unsigned int i = 0; i < carried.size() && is_same; ++i)
+      is_same = carried[i].name == names_of_carried[i];
+    AssertThrow(is_same,
+                dealii::ExcMessage("what sits in its cells is of another "
+                                   "kind than in this run."));
+    for (const auto &[name, item] : carried)
+      item->begin_to_unpack();
   }
 
 
@@ -383,10 +272,9 @@ namespace Thalweg
   {
     for (const auto &field : state.fields())
       field.space->interpolate(*field.vector, field.n_components);
-
-    for (unsigned int p = 0; p < populations.size(); ++p)
-      store<dim>(received[p], populations[p]);
-    received.clear();
+    for (const auto &[name, item] : carried)
+      item->end_to_unpack();
+    carried.clear();
     fields.clear();
     values.clear();
   }

@@ -5,9 +5,6 @@
 
 #include <deal.II/base/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace Thalweg
 {
   template <int dim>
@@ -55,38 +52,9 @@ namespace Thalweg
                     cells.sizes[c]);
         place += cells.sizes[c];
       }
-    check_received();
+    for (const auto &[name, item] : carried)
+      item->check_unpacked();
     end_to_unpack(state);
-  }
-
-
-
-  template <int dim>
-  void
-  MeshTransfer<dim>::check_received() const
-  {
-    const auto is_good = [](const ParticleRecord<dim> &particle,
-                            const dealii::Point<dim>  &first,
-                            const dealii::Point<dim>  &last) {
-      for (unsigned int d = 0; d < dim; ++d)
-        if (!(std::abs(particle.reference[d] - .5) <= 1.))
-          return false;
-      return particle.position.distance(first) <= 10. * first.distance(last) &&
-             std::all_of(particle.properties.begin(),
-                         particle.properties.end(),
-                         [](const double value) {
-                           return std::isfinite(value);
-                         });
-    };
-    for (const Received &population : received)
-      for (unsigned int c = 0; c < population.size(); ++c)
-        for (const auto &particle : population[c])
-          {
-            const auto &vertices = mesh.graph().cell(c).vertices;
-            AssertThrow(is_good(particle, vertices.front(), vertices.back()),
-                        dealii::ExcMessage("it has particles that cannot be "
-                                           "where it says."));
-          }
   }
 
 

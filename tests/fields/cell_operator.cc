@@ -177,7 +177,7 @@ TEST(OperatorSolver, SaysWhatItDidNotFind)
   const OperatorSolver<2> solver(scene.operators.mass, 2);
   Vector b = product(scene, scene.operators.mass, scene.flow_velocity(wild<2>));
   Vector x = scene.empty_velocity();
-  EXPECT_THROW(solver.solve(x, b, 1e-12, 2, "a test"), SolverFailure);
+  EXPECT_THROW(solver.solve(x, b, 1e-12, 2, "a test"), StepFailure);
   // Nothing to solve for; or nothing that counts.
   Vector tiny = b;
   tiny *= 1e-12;

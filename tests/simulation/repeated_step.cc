@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/linear_algebra/krylov.h>
+#include <thalweg/core/errors.h>
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -78,7 +78,7 @@ namespace
       inner->advance(time, dt);
       const unsigned int n = starts.size() - 1;
       if (n >= first_failure && n < first_failure + n_failures)
-        throw SolverFailure("It stumbled.");
+        throw StepFailure("It stumbled.");
     }
 
     const Vector &

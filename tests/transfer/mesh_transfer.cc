@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
 #include <thalweg/fields/interpolation.h>
+#include <thalweg/particles/carried_population.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
@@ -46,6 +47,7 @@ namespace
     explicit Travellers(Mesh<dim> &mesh)
       : mesh(mesh)
       , population(mesh)
+      , particles(population)
     {
       make_spaces();
     }
@@ -81,6 +83,7 @@ namespace
       State<dim> state(Archive::nowhere());
       state.field("p", *linear, p, 1);
       state.field("v", *quadratic, v, dim);
+      state.carry("particles", particles);
       return state;
     }
 
@@ -126,6 +129,7 @@ namespace
 
     Mesh<dim>                          &mesh;
     Population<dim>                     population;
+    CarriedPopulation<dim>              particles;
     std::unique_ptr<LagrangeSpace<dim>> linear, quadratic;
     Vector                              p, v;
   };
@@ -191,7 +195,7 @@ TYPED_TEST(MeshTransferMpi, NothingIsLostOnMeshesThatChange)
   for (unsigned int round = 0; round < 4; ++round)
     {
       flag(mesh, round);
-      MeshTransfer<dim> transfer(mesh, {travellers.population});
+      MeshTransfer<dim> transfer(mesh);
       transfer.pack(travellers.state());
       mesh.triangulation().execute_coarsening_and_refinement();
       mesh.update();
@@ -218,7 +222,7 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
   const std::vector<unsigned int> counts =
     dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD,
                                        mesh.graph().n_owned_cells());
-  MeshTransfer<dim> departure(mesh, {travellers.population});
+  MeshTransfer<dim> departure(mesh);
   const PackedCells packed = departure.pack_to_save(travellers.state());
   const Archive     archive;
   departure.keep(archive);
@@ -232,7 +236,7 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
   Mesh<dim> loaded(MPI_COMM_WORLD);
   load(loaded, saved);
   Travellers<dim>   arrivals(loaded);
-  MeshTransfer<dim> transfer(loaded, {arrivals.population});
+  MeshTransfer<dim> transfer(loaded);
   transfer.keep(archive.reader());
   transfer.unpack_saved(arrivals.state(), packed);
   arrivals.expect_filled(travellers.population.n_global_particles());

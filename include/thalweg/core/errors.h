@@ -2,14 +2,32 @@
 #ifndef thalweg_core_errors_h
 #define thalweg_core_errors_h
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <exception>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace Thalweg
 {
+  /// A step failed, on all processes, but may be repeated with half the size: a
+  /// solver that did not converge, for example.
+  class StepFailure : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /// No size of the next step is of use; the state before it is a good one. On
+  /// all processes.
+  class StepRefused : public dealii::ExcMessage
+  {
+  public:
+    using dealii::ExcMessage::ExcMessage;
+  };
+
   /// The text of @p exception as a user should see it: for deal.II's
   /// exceptions the message alone.
   std::string

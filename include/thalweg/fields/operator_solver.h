@@ -48,7 +48,7 @@ namespace Thalweg
      * @param tolerance relative to the norm of b, or to @p reference if this
      *   is greater
      * @param what is solved for, for the message
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     SolveReport
     solve(Vector            &x,

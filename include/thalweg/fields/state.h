@@ -3,6 +3,7 @@
 #define thalweg_fields_state_h
 
 #include <thalweg/core/archive.h>
+#include <thalweg/fields/carried.h>
 #include <thalweg/fields/lagrange_space.h>
 
 #include <memory>
@@ -22,9 +23,17 @@ namespace Thalweg
     unsigned int              n_components; ///< 1 or dim
   };
 
+  /// What sits in cells and has a name in a State.
+  template <int dim>
+  struct NamedCarried
+  {
+    std::string   name;
+    Carried<dim> *carried;
+  };
+
   /**
    * @brief What a part of a simulation keeps from one step to the next:
-   * values, and fields on the mesh.
+   * values, fields on the mesh, and what sits in its cells.
    *
    * A part names them once, in one function, and with that is carried from
    * mesh to mesh, restored after a failed step, saved and resumed:
@@ -34,6 +43,7 @@ namespace Thalweg
    * {
    *   state.values().value("flow time", flow_time);
    *   state.field("level set", parts->space, level_set, 1);
+   *   state.carry("particles", carried_population);
    * }
    * @endcode
    *
@@ -46,7 +56,7 @@ namespace Thalweg
   public:
     explicit State(const Archive &values)
       : archive(values)
-      , list(std::make_shared<std::vector<CarriedField<dim>>>())
+      , named(std::make_shared<Named>())
     {}
 
     /// Values that are the same on all ranks.
@@ -64,7 +74,15 @@ namespace Thalweg
           Vector                   &vector,
           const unsigned int        n_components) const
     {
-      list->push_back({prefix + name, &space, &vector, n_components});
+      named->fields.push_back({prefix + name, &space, &vector, n_components});
+    }
+
+    /// Names what sits in cells. It must stay where it is as long as this
+    /// state is used.
+    void
+    carry(const std::string &name, Carried<dim> &carried) const
+    {
+      named->carried.push_back({prefix + name, &carried});
     }
 
     /// For the values and fields of a part that has this name.
@@ -77,8 +95,8 @@ namespace Thalweg
       return part;
     }
 
-    /// For parts whose fields belong to this state, but whose values are
-    /// kept in @p other.
+    /// For parts whose fields and cells belong to this state, but whose
+    /// values are kept in @p other.
     State
     with(const Archive &other) const
     {
@@ -91,13 +109,26 @@ namespace Thalweg
     const std::vector<CarriedField<dim>> &
     fields() const
     {
-      return *list;
+      return named->fields;
+    }
+
+    /// All that was named with carry().
+    const std::vector<NamedCarried<dim>> &
+    carried() const
+    {
+      return named->carried;
     }
 
   private:
-    Archive                                         archive;
-    std::shared_ptr<std::vector<CarriedField<dim>>> list;
-    std::string                                     prefix;
+    struct Named
+    {
+      std::vector<CarriedField<dim>> fields;
+      std::vector<NamedCarried<dim>> carried;
+    };
+
+    Archive                archive;
+    std::shared_ptr<Named> named;
+    std::string            prefix;
   };
 } // namespace Thalweg
 

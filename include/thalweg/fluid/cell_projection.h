@@ -48,7 +48,7 @@ namespace Thalweg
      * @param maximum of iterations
      * @return iterations, and as residual the root mean square of the
      *   divergence that is left, 1/s
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     SolveReport
     project(Vector            &velocity,

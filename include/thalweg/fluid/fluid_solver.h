@@ -44,7 +44,7 @@ namespace Thalweg
      *   particles follow it, ghosted, m/s: the sum of both lets as much fluid
      *   into each cell as out of it
      * @param duration of the acceleration, s
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     virtual void
     solve(const Vector &velocity_star,

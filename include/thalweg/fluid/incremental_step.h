@@ -81,7 +81,7 @@ namespace Thalweg
      *   zero; ghosted
      * @param pressure in: its values at open boundaries, and a guess; out:
      *   ghosted, m^2/s^2
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     void
     find_pressure(const Vector &velocity,
@@ -108,7 +108,7 @@ namespace Thalweg
      * @param dt s
      * @param velocity out: V^{n+1}, ghosted
      * @param pressure out: p^{n+1/2}, ghosted; must not be that in @p given
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     void
     solve(const Vector   &velocity_star,
@@ -134,7 +134,7 @@ namespace Thalweg
      * @brief Takes from a velocity the gradient that holds its divergence, as
      * far as the pressures of the operators see it. Pressures do not change.
      * @param velocity ghosted
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     void
     remove_divergence(Vector &velocity);

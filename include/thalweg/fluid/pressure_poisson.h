@@ -37,7 +37,7 @@ namespace Thalweg
      * @param b folded; made compatible where the pressure is free
      * @param cell_factors of all owned cells
      * @param tolerance for the norm of the residual
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     SolveReport
     solve(Vector                    &x,

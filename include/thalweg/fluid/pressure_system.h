@@ -83,7 +83,7 @@ namespace Thalweg
      * @param tolerance relative to the norm of the first right hand side of
      *   the step, with all forces and no pressure
      * @return cost of the solve
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     SolveReport
     correct(const Vector      &rate,

@@ -2,24 +2,17 @@
 #ifndef thalweg_linear_algebra_krylov_h
 #define thalweg_linear_algebra_krylov_h
 
+#include <thalweg/core/errors.h>
+
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace Thalweg
 {
-  /// A linear or time-step solver did not converge; the step may be repeated
-  /// with half the size.
-  class SolverFailure : public std::runtime_error
-  {
-  public:
-    using std::runtime_error::runtime_error;
-  };
-
   /// What a solve cost, and how well it went.
   struct SolveReport
   {
@@ -33,7 +26,7 @@ namespace Thalweg
    * @param tolerance for the norm of the residual
    * @param maximum of iterations
    * @param what is solved for, for the message
-   * @throws SolverFailure
+   * @throws StepFailure
    */
   template <typename Matrix, typename Vector, typename Preconditioner>
   SolveReport
@@ -47,9 +40,9 @@ namespace Thalweg
   {
     // An infinite tolerance would be met by anything.
     if (!std::isfinite(tolerance))
-      throw SolverFailure("The linear solver for the " + what +
-                          " cannot begin: its right-hand side is no finite "
-                          "number.");
+      throw StepFailure("The linear solver for the " + what +
+                        " cannot begin: its right-hand side is no finite "
+                        "number.");
     dealii::SolverControl    control(maximum, tolerance);
     dealii::SolverCG<Vector> cg(control);
     try
@@ -63,7 +56,7 @@ namespace Thalweg
                 << " did not converge: after " << failure.last_step
                 << " iterations the residual is " << failure.last_residual
                 << " instead of " << tolerance << ".";
-        throw SolverFailure(message.str());
+        throw StepFailure(message.str());
       }
     return {control.last_step(), control.last_value()};
   }

@@ -108,7 +108,7 @@ namespace Thalweg
     virtual void
     repopulate() = 0;
 
-    /// From @p time to @p time + @p dt, in s. @throws SolverFailure
+    /// From @p time to @p time + @p dt, in s. @throws StepFailure
     virtual void
     advance(const double time, const double dt) = 0;
 

@@ -2,8 +2,10 @@
 #ifndef thalweg_particles_sub_cell_h
 #define thalweg_particles_sub_cell_h
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Thalweg
@@ -41,6 +43,27 @@ namespace Thalweg
     for (unsigned int d = 0; d < dim; ++d)
       index += (reference[d] >= .5 - reference_round_off ? 1u : 0u) << d;
     return index;
+  }
+
+  /// The coordinates in the child that covers a point of its parent.
+  template <int dim>
+  inline dealii::Point<dim>
+  from_parent(const dealii::Point<dim> &reference, const unsigned int child)
+  {
+    auto inside =
+      dealii::GeometryInfo<dim>::cell_to_child_coordinates(reference, child);
+    for (unsigned int d = 0; d < dim; ++d)
+      inside[d] = std::max(0., inside[d]);
+    return inside;
+  }
+
+  /// The coordinates of a child's point in its parent.
+  template <int dim>
+  inline dealii::Point<dim>
+  to_parent(const dealii::Point<dim> &reference, const unsigned int child)
+  {
+    return dealii::GeometryInfo<dim>::child_to_cell_coordinates(reference,
+                                                                child);
   }
 } // namespace Thalweg
 

@@ -113,9 +113,14 @@ namespace Thalweg
     void
     choose_step();
 
-    /// One step, or what is left of it after failures. @throws SolverFailure
+    /// One step, or what is left of it after failures. @throws StepFailure
     void
     advance();
+
+    /// Makes the state and the row of the statistics what they were before
+    /// the step. @param row of the statistics before the step
+    void
+    undo_step(const Archive &row);
 
     /// Saves the state and throws. @param reason of the last failure
     [[noreturn]] void

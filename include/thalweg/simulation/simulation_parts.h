@@ -2,6 +2,7 @@
 #ifndef thalweg_simulation_simulation_parts_h
 #define thalweg_simulation_simulation_parts_h
 
+#include <thalweg/particles/carried_population.h>
 #include <thalweg/simulation/simulation_parameters.h>
 
 #include <deal.II/base/function.h>
@@ -31,6 +32,10 @@ namespace Thalweg
      */
     void
     build();
+
+    /// Removes all particles, drops and bubbles among them.
+    void
+    clear_particles();
 
     /// Builds, removes all particles, seeds new ones, and sets the state at
     /// the start. Collective.
@@ -139,6 +144,8 @@ namespace Thalweg
     BoundaryConditions<dim>                    conditions;
     Population<dim>                            population;
     Population<dim>                            dispersed_;
+    CarriedPopulation<dim>                     carried_population;
+    CarriedPopulation<dim>                     carried_dispersed;
     double                                     carried_distance = 0;
     std::unique_ptr<NodeSpace<dim>>            space;
     std::unique_ptr<BoundaryNodes<dim>>        boundary;

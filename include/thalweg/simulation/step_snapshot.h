@@ -2,31 +2,33 @@
 #ifndef thalweg_simulation_step_snapshot_h
 #define thalweg_simulation_step_snapshot_h
 
-#include <thalweg/particles/population_snapshot.h>
-#include <thalweg/simulation/simulation_parts.h>
+#include <thalweg/fields/state.h>
 
+#include <functional>
 #include <vector>
 
 namespace Thalweg
 {
-  /// The state in memory as it was before a step, should that fail.
+  /// A state in memory as it was before a step, should that fail.
   template <int dim>
   class StepSnapshot
   {
   public:
-    /// Remembers the state. Collective.
+    /// Names all that the state consists of.
+    using Keep = std::function<void(const State<dim> &)>;
+
+    /// Remembers the state.
     void
-    save(SimulationParts<dim> &parts);
+    save(const Keep &keep);
 
     /// Makes the state what it was at the last save(), on the same mesh.
     /// Collective.
     void
-    restore(SimulationParts<dim> &parts) const;
+    restore(const Keep &keep) const;
 
   private:
-    Archive                 values;
-    std::vector<Vector>     fields;
-    PopulationSnapshot<dim> particles, dispersed;
+    Archive             values;
+    std::vector<Vector> fields;
   };
 } // namespace Thalweg
 

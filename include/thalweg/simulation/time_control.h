@@ -4,20 +4,11 @@
 
 #include <thalweg/core/section.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <limits>
 #include <string>
 
 namespace Thalweg
 {
-  /// There is no next step that would be of use.
-  class StepRefused : public dealii::ExcMessage
-  {
-  public:
-    using dealii::ExcMessage::ExcMessage;
-  };
-
   /**
    * @brief The parameters of the section "Time", and the size of steps.
    */

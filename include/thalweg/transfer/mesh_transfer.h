@@ -2,13 +2,10 @@
 #ifndef thalweg_transfer_mesh_transfer_h
 #define thalweg_transfer_mesh_transfer_h
 
-#include <thalweg/core/compat_weights.h>
 #include <thalweg/fields/state.h>
-#include <thalweg/particles/particle_storage.h>
-#include <thalweg/particles/population_snapshot.h>
 
+#include <boost/range/iterator_range.hpp>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,28 +19,25 @@ namespace Thalweg
   };
 
   /**
-   * @brief Carries fields and particles from one mesh to the next, to other
-   * ranks, and into files: both travel attached to the cells.
+   * @brief Carries a State from one mesh to the next, to other ranks, and into
+   * files: all of it travels attached to the cells.
    *
    * On refined cells fields are interpolated; coarsened cells keep the values
-   * at the nodes that remain. Particles stay where they are, and each comes to
-   * the cell that covers its place in the reference cell: none can get lost
-   * between two cells.
+   * at the nodes that remain. What else sits in cells knows itself where it
+   * goes.
    */
   template <int dim>
   class MeshTransfer
   {
   public:
-    /// All populations that travel, always in the same order.
-    using Populations = std::vector<std::reference_wrapper<Population<dim>>>;
-
-    /// @param mesh, populations must outlive the object
-    MeshTransfer(Mesh<dim> &mesh, const Populations &populations);
+    /// @param mesh must outlive the object
+    explicit MeshTransfer(Mesh<dim> &mesh)
+      : mesh(mesh)
+    {}
 
     /**
-     * @brief Attaches @p state and the particles to the cells of the mesh,
-     * which then may change; the populations are empty until unpack().
-     * Collective.
+     * @brief Attaches @p state to the cells of the mesh, which then may
+     * change; what sits in cells is cleared until unpack(). Collective.
      *
      * @param state the spaces of its fields must not go before the mesh has
      *   changed
@@ -52,8 +46,8 @@ namespace Thalweg
     pack(const State<dim> &state);
 
     /**
-     * @brief Gives @p state and the populations what belongs to the cells of
-     * the new mesh. Collective.
+     * @brief Gives @p state what belongs to the cells of the new mesh.
+     * Collective.
      *
      * To be called when the mesh's graph and the spaces of @p state are those
      * of the new mesh, after pack() and a change of the mesh.
@@ -67,16 +61,17 @@ namespace Thalweg
     pack_to_save(const State<dim> &state);
 
     /**
-     * @brief Gives @p state and the populations what pack_to_save() returned,
-     * after keep(). Collective.
+     * @brief Gives @p state what pack_to_save() returned, after keep().
+     * Collective.
      * @param cells of this rank
      * @throws dealii::ExcMessage if they do not hold what they must
      */
     void
     unpack_saved(const State<dim> &state, const PackedCells &cells);
 
-    /// Names which fields the cells carry, for the mesh that is loaded:
-    /// those that nobody wants any more are passed over.
+    /// Names what the cells carry, for the mesh that is loaded: fields that
+    /// nobody wants any more are passed over.
+    /// @throws dealii::ExcMessage if something else sat in the cells than now
     void
     keep(const Archive &archive);
 
@@ -84,8 +79,6 @@ namespace Thalweg
     using CellIterator = typename dealii::Triangulation<dim>::cell_iterator;
     using Bytes        = std::vector<char>;
     using ByteRange    = boost::iterator_range<typename Bytes::const_iterator>;
-    /// The particles of each owned cell.
-    using Received = std::vector<std::vector<ParticleRecord<dim>>>;
 
     /// Takes what is to be packed.
     void
@@ -95,7 +88,7 @@ namespace Thalweg
     void
     begin_to_unpack(const State<dim> &state);
 
-    /// Makes fields and particles whole when all cells are unpacked.
+    /// Makes all whole when all cells are unpacked.
     void
     end_to_unpack(const State<dim> &state);
 
@@ -113,11 +106,6 @@ namespace Thalweg
                 const char            *bytes,
                 const std::size_t      size);
 
-    /// Whether the particles that came are in their cells and carry numbers.
-    /// @throws dealii::ExcMessage if not
-    void
-    check_received() const;
-
     /// Sets the owned values of @p field in a cell of the graph.
     void
     set_nodes(const CarriedField<dim>   &field,
@@ -130,23 +118,16 @@ namespace Thalweg
                  const Compat::CellFate     fate,
                  const std::vector<double> &values) const;
 
-    void
-    unpack_particle(ParticleRecord<dim>    particle,
-                    const CellIterator    &cell,
-                    const Compat::CellFate fate,
-                    Received              &received) const;
-
     Mesh<dim>                     &mesh;
-    const Populations              populations;
     std::vector<CarriedField<dim>> fields;
     /// The names of the fields, and how many values a cell has of each.
     std::vector<std::string>  names;
     std::vector<unsigned int> n_values;
     /// Ghosted copies of the fields that were packed.
     std::vector<Vector> values;
-    /// Of each population what was packed, and what has come.
-    std::vector<PopulationSnapshot<dim>> particles;
-    std::vector<Received>                received;
+    /// What sits in cells, and its names.
+    std::vector<NamedCarried<dim>> carried;
+    std::vector<std::string>       names_of_carried;
     unsigned int handle = dealii::numbers::invalid_unsigned_int;
   };
 } // namespace Thalweg

@@ -28,7 +28,7 @@ namespace Thalweg
      * @param velocity in: a guess, ghosted, which stays where no particle
      *   reaches; out: V*, ghosted and consistent, m/s
      * @return iterations of the linear solver, if there is one
-     * @throws SolverFailure
+     * @throws StepFailure
      */
     virtual unsigned int
     project(const Population<dim>    &population,

@@ -68,7 +68,7 @@ namespace Thalweg
                 plain += "node";
                 // In two dimensions there need be no z.
                 if (all.size() == 3)
-                  all.push_back("0");
+                  all.emplace_back("0");
               }
             else
               {

@@ -53,6 +53,7 @@ namespace Thalweg
           relatives.push_back(candidate);
 
       std::vector<std::string> leaves;
+      leaves.reserve(siblings.size());
       for (const std::string &sibling : siblings)
         leaves.push_back(leaf_of(sibling));
       const std::string leaf = nearest(leaf_of(path), leaves);

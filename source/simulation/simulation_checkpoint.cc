@@ -262,10 +262,11 @@ namespace Thalweg
       transfer.keep(values.enter("cells"));
       on_all(context.communicator, [&]() { check_numbers(checkpoint); });
     });
-    const auto [begin, end] = cells_of_rank(mesh);
+    const auto  own = cells_of_rank(mesh);
     PackedCells cells;
-    on_all(context.communicator,
-           [&]() { cells = read_packed_cells(checkpoint, begin, end); });
+    on_all(context.communicator, [&]() {
+      cells = read_packed_cells(checkpoint, own.first, own.second);
+    });
     with_name_of(checkpoint, [&]() { transfer.unpack_saved(state, cells); });
     parts->update();
     with_name_of(checkpoint, [&]() {

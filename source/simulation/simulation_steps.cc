@@ -42,11 +42,11 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::stop_if_it_fails(const std::function<void()> &work)
+  Simulation<dim>::stop_for(const ExpressionFaults &faults)
   {
     try
       {
-        work();
+        on_all(context.communicator, [&]() { faults.check(); });
       }
     catch (const dealii::ExcMessage &failure)
       {
@@ -74,7 +74,16 @@ namespace Thalweg
   {
     constexpr unsigned int most_halvings = 4;
     const ExpressionFaults faults;
-    stop_if_it_fails([&]() { parts->check_flux_balance_of_step(time + dt); });
+    try
+      {
+        parts->check_flux_balance_of_step(time + dt);
+      }
+    catch (const dealii::ExcMessage &failure)
+      {
+        // It may be that a velocity was none, and counted as zero.
+        stop_for(faults);
+        stop_before_step(message_of(failure));
+      }
     before_step.save([&](const State<dim> &state) { parts->keep(state); });
     const Archive row;
     context.statistics.keep(row, context.log);
@@ -90,8 +99,7 @@ namespace Thalweg
       catch (const StepFailure &failure)
         {
           undo_step(row);
-          stop_if_it_fails(
-            [&]() { on_all(context.communicator, [&]() { faults.check(); }); });
+          stop_for(faults);
           if (n_halvings == most_halvings)
             give_up(failure.what());
           dt *= .5;

@@ -10,6 +10,19 @@ namespace Thalweg
 {
   namespace
   {
+    template <int dim>
+    std::vector<std::string>
+    names_of(const std::vector<NamedCarried<dim>> &carried)
+    {
+      std::vector<std::string> names;
+      names.reserve(carried.size());
+      for (const auto &[name, item] : carried)
+        names.push_back(name);
+      return names;
+    }
+
+
+
     /// The number of the node of Lagrange elements at @p unit.
     template <int dim>
     unsigned int
@@ -67,13 +80,10 @@ namespace Thalweg
         n_values.push_back(field.space->n_nodes_per_cell() *
                            field.n_components);
       }
-    carried = state.carried();
-    names_of_carried.clear();
+    carried          = state.carried();
+    names_of_carried = names_of(carried);
     for (const auto &[name, item] : carried)
-      {
-        names_of_carried.push_back(name);
-        item->save();
-      }
+      item->save();
   }
 
 
@@ -232,11 +242,8 @@ namespace Thalweg
       fields.push_back(find(state, name));
     for (const auto &field : state.fields())
       field.vector->zero_out_ghost_values();
-    carried      = state.carried();
-    bool is_same = carried.size() == names_of_carried.size();
-    for (unsigned int i = 0; i < carried.size() && is_same; ++i)
-      is_same = carried[i].name == names_of_carried[i];
-    AssertThrow(is_same,
+    carried = state.carried();
+    AssertThrow(names_of(carried) == names_of_carried,
                 dealii::ExcMessage("what sits in its cells is of another "
                                    "kind than in this run."));
     for (const auto &[name, item] : carried)

@@ -19,6 +19,24 @@ class Failure(Exception):
     """What is wrong, in a sentence."""
 
 
+def rows_without_times(path):
+    """The rows of a table without what the machine took."""
+    with open(path, newline="") as text:
+        return [{k: v for k, v in row.items()
+                 if not (k or "").startswith("wall")}
+                for row in csv.DictReader(text)]
+
+
+def difference_of_rows(one, other):
+    """Where the rows that both tables have differ first: the number of the
+    row, from one on, the column and both values; None if they do not."""
+    for number, (a, b) in enumerate(zip(one, other), 1):
+        for column in a:
+            if a[column] != b.get(column):
+                return number, column, a[column], b.get(column)
+    return None
+
+
 def step_of(checkpoint):
     """The step in the name of a checkpoint."""
     return int(checkpoint.name.split("_")[1])
@@ -78,10 +96,7 @@ class Place:
 
     def table(self, name, file="statistics.csv"):
         """The rows of a table without its timings."""
-        with open(self.directory / name / file, newline="") as text:
-            rows = list(csv.DictReader(text))
-        return [{k: v for k, v in row.items() if not k.startswith("wall")}
-                for row in rows]
+        return rows_without_times(self.directory / name / file)
 
     def files(self, name, without=None):
         """All results that must be the same, with their content, but for
@@ -113,11 +128,11 @@ class Place:
         a, b = self.table(one), self.table(other)
         if len(a) != len(b):
             raise Failure(f"{len(a)} rows in {one}, {len(b)} in {other}")
-        for x, y in zip(a, b):
-            for column in x:
-                if x[column] != y.get(column):
-                    raise Failure(f"step {x['step']}, {column}: {x[column]} in "
-                                  f"{one}, {y.get(column)} in {other}")
+        found = difference_of_rows(a, b)
+        if found:
+            row, column, x, y = found
+            raise Failure(f"step {a[row - 1]['step']}, {column}: {x} in {one}, "
+                          f"{y} in {other}")
         c, d = self.files(one, without), self.files(other, without)
         if c.keys() != d.keys():
             raise Failure(f"only in one: {sorted(c.keys() ^ d.keys())}")

@@ -12,7 +12,6 @@
 #include <thalweg/simulation/volume_watch.h>
 
 #include <chrono>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -131,9 +130,10 @@ namespace Thalweg
     [[noreturn]] void
     stop_before_step(const std::string &reason);
 
-    /// Saves the state and throws if @p work throws, on all processes.
+    /// Saves the state and throws if an expression was no finite number on
+    /// any process.
     void
-    stop_if_it_fails(const std::function<void()> &work);
+    stop_for(const ExpressionFaults &faults);
 
     /// Makes the step that is planned: adapts the mesh, advances, evaluates.
     /// @return what signals said meanwhile

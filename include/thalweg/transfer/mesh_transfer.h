@@ -64,14 +64,14 @@ namespace Thalweg
      * @brief Gives @p state what pack_to_save() returned, after keep().
      * Collective.
      * @param cells of this rank
-     * @throws dealii::ExcMessage if they do not hold what they must
+     * @throws dealii::ExcMessage if they do not hold what they must, or
+     *   something else sat in them than what @p state names
      */
     void
     unpack_saved(const State<dim> &state, const PackedCells &cells);
 
     /// Names what the cells carry, for the mesh that is loaded: fields that
     /// nobody wants any more are passed over.
-    /// @throws dealii::ExcMessage if something else sat in the cells than now
     void
     keep(const Archive &archive);
 

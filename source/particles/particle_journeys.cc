@@ -295,10 +295,7 @@ namespace Thalweg
     using Field = SteadyField<dim>;
     const MPI_Comm communicator =
       population.mesh().triangulation().get_communicator();
-    ConvectionReport report;
-    if (dealii::Utilities::MPI::max(particles.size(), communicator) == 0)
-      return report;
-
+    ConvectionReport                           report;
     WalkEffort                                 effort;
     std::vector<ParticleTraveller<dim, Field>> travellers;
     for (const NewParticle<dim> &particle : particles)

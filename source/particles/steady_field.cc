@@ -14,17 +14,126 @@ namespace Thalweg
   using namespace CellPolynomial;
 
 
+  namespace
+  {
+    template <int dim>
+    std::array<double, dim>
+    vertex(const unsigned int v)
+    {
+      std::array<double, dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = (v >> d) & 1;
+      return result;
+    }
+
+
+    /// The divergence at the vertices, of rates in a cell that is
+    /// axis-parallel.
+    template <int dim>
+    std::array<double, (1 << dim)>
+    divergence_of_rates(const std::array<double, dim *(1 << dim)> &nodal_rates)
+    {
+      std::array<double, (1 << dim)> divergence{};
+      for (unsigned int v = 0; v < divergence.size(); ++v)
+        for (unsigned int d = 0; d < dim; ++d)
+          divergence[v] += nodal_rates[(v | (1 << d)) * dim + d] -
+                           nodal_rates[(v & ~(1 << d)) * dim + d];
+      return divergence;
+    }
+
+
+    /// The divergence at the vertices, in the reference cell, of the flux of
+    /// the Piola transform. It is multilinear in quadrilaterals and
+    /// parallelepipeds.
+    template <int dim>
+    std::array<double, (1 << dim)>
+    divergence_of_flux(
+      const std::array<double, dim *(1 << dim)> &map,
+      const std::array<double, dim *(1 << dim)> &nodal_velocity)
+    {
+      auto velocity = nodal_velocity;
+      to_polynomial<dim>(velocity);
+      std::array<double, (1 << dim)> divergence;
+      for (unsigned int v = 0; v < divergence.size(); ++v)
+        {
+          const auto                   x        = vertex<dim>(v);
+          const dealii::Tensor<2, dim> jacobian = gradient<dim>(map, x);
+          divergence[v]                         = determinant(jacobian) *
+                          trace(gradient<dim>(velocity, x) * invert(jacobian));
+        }
+      return divergence;
+    }
+  } // namespace
+
+
   template <int dim>
   SteadyField<dim>::SteadyField(const CellGraph<dim>    &graph,
                                 const CellVelocity<dim> &velocity,
                                 const double             greatest_way,
-                                const double             direction)
+                                const double             direction,
+                                const VelocityShape      shape)
   {
     AssertDimension(velocity.size(), graph.n_cells());
     flow.reserve(graph.n_cells());
     for (unsigned int i = 0; i < graph.n_cells(); ++i)
       flow.push_back(
-        prepare(graph.cell(i), velocity[i], greatest_way, direction));
+        prepare(graph.cell(i), velocity[i], greatest_way, direction, shape));
+  }
+
+
+  template <int dim>
+  typename SteadyField<dim>::Bubbles
+  SteadyField<dim>::bubbles_of(const typename CellGraph<dim>::Cell &geometry,
+                               const Polynomial                    &map,
+                               const Polynomial &nodal_velocity)
+  {
+    const auto divergence = geometry.axis_parallel
+                              ? divergence_of_rates<dim>(nodal_velocity)
+                              : divergence_of_flux<dim>(map, nodal_velocity);
+
+    // The part of it that is odd in some of the directions, at vertex 1,1,(1).
+    const auto odd_part = [&divergence](const unsigned int directions) {
+      double sum = 0;
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        {
+          const unsigned int low      = directions & ~v;
+          const bool         negative = ((low >> 2) ^ (low >> 1) ^ low) & 1;
+          sum += negative ? -divergence[v] : divergence[v];
+        }
+      return sum / n_vertices;
+    };
+    Bubbles result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = odd_part(1 << d);
+    if constexpr (dim == 3)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[3 + d] = odd_part(7 ^ (1 << d));
+    return result;
+  }
+
+
+  template <int dim>
+  double
+  SteadyField<dim>::fastest_bubble(
+    const typename CellGraph<dim>::Cell &geometry,
+    const Polynomial                    &map,
+    const Bubbles                       &bubbles)
+  {
+    double stretch = 1;
+    if (!geometry.axis_parallel)
+      {
+        stretch = std::numeric_limits<double>::max();
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          stretch =
+            std::min(stretch, determinant(gradient<dim>(map, vertex<dim>(v))));
+      }
+    double greatest = 0, mixed = 0;
+    for (unsigned int i = 0; i < bubbles.size(); ++i)
+      if (i < dim)
+        greatest = std::max(greatest, std::abs(bubbles[i]));
+      else
+        mixed += .5 * std::abs(bubbles[i]);
+    return .25 * (greatest + mixed) / stretch;
   }
 
 
@@ -33,21 +142,19 @@ namespace Thalweg
   SteadyField<dim>::prepare(const typename CellGraph<dim>::Cell &geometry,
                             const Polynomial                    &nodal_velocity,
                             const double                         greatest_way,
-                            const double                         direction)
+                            const double                         direction,
+                            const VelocityShape                  shape)
   {
-    Polynomial shape{};
+    Polynomial map{};
     if (!geometry.axis_parallel)
-      shape = CellMaps<dim>::shape_of(geometry);
-    Flow   result;
+      map = CellMaps<dim>::shape_of(geometry);
+    Flow   result{};
     double fastest = 0;
     for (unsigned int v = 0; v < n_vertices; ++v)
       {
-        Coordinates velocity, vertex;
+        Coordinates velocity;
         for (unsigned int d = 0; d < dim; ++d)
-          {
-            velocity[d] = direction * nodal_velocity[v * dim + d];
-            vertex[d]   = (v >> d) & 1;
-          }
+          velocity[d] = direction * nodal_velocity[v * dim + d];
         Coordinates rate;
         if (geometry.axis_parallel)
           {
@@ -56,12 +163,17 @@ namespace Thalweg
             velocity = rate;
           }
         else
-          rate = solve<dim>(gradient<dim>(shape, vertex), velocity);
+          rate = solve<dim>(gradient<dim>(map, vertex<dim>(v)), velocity);
         for (unsigned int d = 0; d < dim; ++d)
           {
             result.velocity[v * dim + d] = velocity[d];
             fastest                      = std::max(fastest, std::abs(rate[d]));
           }
+      }
+    if (shape == VelocityShape::evenly_divergent)
+      {
+        result.bubbles = bubbles_of(geometry, map, result.velocity);
+        fastest += fastest_bubble(geometry, map, result.bubbles);
       }
     to_polynomial<dim>(result.velocity);
     result.longest_substep =

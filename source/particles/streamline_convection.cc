@@ -93,10 +93,34 @@ namespace Thalweg
   StreamlineConvection<dim>::StreamlineConvection(
     const Mesh<dim>                                      &mesh,
     const ConvectionParameters                           &parameters,
-    const std::map<dealii::types::boundary_id, WallKind> &walls)
+    const std::map<dealii::types::boundary_id, WallKind> &walls,
+    const VelocityShape                                   shape)
     : mesh_(mesh)
     , settings(walk_settings(parameters, walls))
+    , shape(shape)
   {}
+
+
+  template <int dim>
+  bool
+  StreamlineConvection<dim>::are_none(const std::size_t n) const
+  {
+    return dealii::Utilities::MPI::max(
+             n, mesh_.triangulation().get_communicator()) == 0;
+  }
+
+
+  template <int dim>
+  StreamlineWalk<dim>
+  StreamlineConvection<dim>::walk(const CellVelocity<dim> &velocity,
+                                  const double             direction) const
+  {
+    const auto &graph = mesh_.graph();
+    return {
+      graph,
+      SteadyField<dim>(graph, velocity, settings.substep, direction, shape),
+      settings};
+  }
 
 
   template <int dim>
@@ -105,10 +129,7 @@ namespace Thalweg
                                   const CellVelocity<dim> &velocity,
                                   const double             dt) const
   {
-    const auto               &graph = mesh_.graph();
-    const StreamlineWalk<dim> walk(
-      graph, SteadyField<dim>(graph, velocity, settings.substep, 1.), settings);
-    return move_along(population, walk, dt);
+    return move_along(population, walk(velocity, 1.), dt);
   }
 
 
@@ -119,10 +140,9 @@ namespace Thalweg
     const std::vector<NewParticle<dim>> &particles,
     const CellVelocity<dim>             &velocity) const
   {
-    const auto               &graph = mesh_.graph();
-    const StreamlineWalk<dim> walk(
-      graph, SteadyField<dim>(graph, velocity, settings.substep, 1.), settings);
-    return insert_along(population, walk, particles);
+    if (are_none(particles.size()))
+      return {};
+    return insert_along(population, walk(velocity, 1.), particles);
   }
 
 
@@ -135,12 +155,9 @@ namespace Thalweg
     const CellField<dim, 1>               &level_set,
     const double                           dt) const
   {
-    const auto               &graph = mesh_.graph();
-    const StreamlineWalk<dim> walk(
-      graph,
-      SteadyField<dim>(graph, velocity, settings.substep, -1.),
-      settings);
-    return find_feet(walk,
+    if (are_none(cells.size()))
+      return {};
+    return find_feet(walk(velocity, -1.),
                      mesh_.triangulation().get_communicator(),
                      cells,
                      reference_points,

@@ -80,7 +80,11 @@ namespace Thalweg
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
     if (parameters.particles_carry == "distance")
-      parameters.projection->band = parameters.distance_band;
+      {
+        parameters.projection->band = parameters.distance_band;
+        parameters.projection->distances_are_kept =
+          parameters.method->computes_flow();
+      }
     parameters.population.carry_volume = parameters.fluids.size() == 2;
   }
 
@@ -199,12 +203,14 @@ namespace Thalweg
   {
     if (carried_distance == 0)
       carried_distance = find_carried_distance();
-    space    = std::make_unique<NodeSpace<dim>>(mesh);
-    boundary = std::make_unique<BoundaryNodes<dim>>(*space, conditions);
-    convection =
-      std::make_unique<StreamlineConvection<dim>>(mesh,
-                                                  parameters.convection,
-                                                  walls());
+    space      = std::make_unique<NodeSpace<dim>>(mesh);
+    boundary   = std::make_unique<BoundaryNodes<dim>>(*space, conditions);
+    convection = std::make_unique<StreamlineConvection<dim>>(
+      mesh,
+      parameters.convection,
+      walls(),
+      parameters.method->computes_flow() ? VelocityShape::evenly_divergent
+                                         : VelocityShape::multilinear);
     paths = std::make_unique<PathConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());

@@ -12,7 +12,8 @@ namespace Thalweg
   {
     /// Where particles miss their plane by this part of their distance from
     /// the node, it and the plane of values that are cut off count alike.
-    constexpr double middle_misfit = .1;
+    constexpr double middle_misfit_of_kept      = .5;
+    constexpr double middle_misfit_of_distorted = .1;
 
     /// The square of a misfit that is nothing but round-off, in parts of the
     /// square of what is fitted.
@@ -69,8 +70,9 @@ namespace Thalweg
       }
 
       /// The level set at the node, or nothing if there are no particles.
+      /// @param middle_misfit with which both planes count alike
       std::optional<double>
-      value() const;
+      value(const double middle_misfit) const;
 
     private:
       /// Where the values that are cut off begin.
@@ -97,7 +99,7 @@ namespace Thalweg
 
     template <int dim>
     std::optional<double>
-    Moments<dim>::value() const
+    Moments<dim>::value(const double middle_misfit) const
     {
       dealii::Tensor<2, n> matrix;
       dealii::Tensor<1, n> load, cut_off_load;
@@ -319,9 +321,12 @@ namespace Thalweg
           nodal[node].sums[k] = sums.local_element(node);
       }
 
+    const double middle_misfit = this->distances_are_kept
+                                   ? middle_misfit_of_kept
+                                   : middle_misfit_of_distorted;
     level_set.zero_out_ghost_values();
     for (unsigned int node = 0; node < n_owned; ++node)
-      if (const auto value = nodal[node].value())
+      if (const auto value = nodal[node].value(middle_misfit))
         level_set.local_element(node) = *value * length;
     space.interpolate(level_set, 1);
   }

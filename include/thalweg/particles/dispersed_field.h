@@ -44,6 +44,7 @@ namespace Thalweg
   public:
     static constexpr bool accelerates = true;
     static constexpr bool disperses   = true;
+    static constexpr bool has_bubbles = false;
     using WalkerType                  = DispersedWalker<dim>;
     using Coordinates                 = std::array<double, dim>;
 

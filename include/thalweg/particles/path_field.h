@@ -24,6 +24,7 @@ namespace Thalweg
       dim == 1 ? n : (dim == 2 ? n * n : n * n * n);
     static constexpr bool accelerates = true;
     static constexpr bool disperses   = false;
+    static constexpr bool has_bubbles = false;
     using WalkerType                  = PathWalker<dim>;
     using Coordinates                 = std::array<double, dim>;
 

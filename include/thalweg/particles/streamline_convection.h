@@ -5,6 +5,7 @@
 #include <thalweg/core/section.h>
 #include <thalweg/mesh/cell_field.h>
 #include <thalweg/particles/population.h>
+#include <thalweg/particles/streamline_walk.h>
 #include <thalweg/particles/walker.h>
 
 #include <array>
@@ -122,12 +123,14 @@ namespace Thalweg
      * @param parameters the integrator
      * @param walls what particles do at which boundary; those that are not
      *   listed are walls
+     * @param shape of the velocity inside the cells
      * @throws dealii::ExcMessage for parameters that make no sense
      */
     StreamlineConvection(
       const Mesh<dim>                                      &mesh,
       const ConvectionParameters                           &parameters,
-      const std::map<dealii::types::boundary_id, WallKind> &walls);
+      const std::map<dealii::types::boundary_id, WallKind> &walls,
+      const VelocityShape shape = VelocityShape::multilinear);
 
     /**
      * @brief Moves all particles by the time @p dt. Collective.
@@ -185,8 +188,17 @@ namespace Thalweg
     }
 
   private:
-    const Mesh<dim>   &mesh_;
-    const WalkSettings settings;
+    /// Whether no rank has any of something, of which this one has @p n.
+    /// Collective.
+    bool
+    are_none(const std::size_t n) const;
+
+    StreamlineWalk<dim>
+    walk(const CellVelocity<dim> &velocity, const double direction) const;
+
+    const Mesh<dim>    &mesh_;
+    const WalkSettings  settings;
+    const VelocityShape shape;
   };
 } // namespace Thalweg
 

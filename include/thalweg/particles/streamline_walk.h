@@ -31,6 +31,8 @@ namespace Thalweg
    *   - `WalkerType`, Walker or one derived from it;
    *   - `accelerates`, whether there is an acceleration;
    *   - `disperses`, whether walkers are drops or bubbles;
+   *   - `has_bubbles`, whether `add_bubbles(walker, reference, stretch, rate)`
+   *     adds to the rate of the reference coordinates;
    *   - `longest_substep(walker)`, in s;
    *   - `velocity(walker, reference, time_left)`: on axis-parallel cells that
    *     of the reference coordinates in 1/s, else that of the position in m/s;

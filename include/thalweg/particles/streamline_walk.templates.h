@@ -89,12 +89,17 @@ namespace Thalweg
                                    const Coordinates &reference,
                                    const double       time_left) const
   {
-    const Coordinates velocity = field_.velocity(walker, reference, time_left);
-    if constexpr (axis_parallel)
-      return velocity;
-    else
-      return CellPolynomial::solve<dim>(maps.jacobian(walker.cell, reference),
-                                        velocity);
+    Coordinates result  = field_.velocity(walker, reference, time_left);
+    double      stretch = 1;
+    if constexpr (!axis_parallel)
+      {
+        const auto jacobian = maps.jacobian(walker.cell, reference);
+        result              = CellPolynomial::solve<dim>(jacobian, result);
+        stretch             = determinant(jacobian);
+      }
+    if constexpr (Field::has_bubbles)
+      field_.add_bubbles(walker, reference, stretch, result);
+    return result;
   }
 
 

@@ -29,6 +29,14 @@ namespace Thalweg
     rk4
   };
 
+  /// How a velocity goes on between the nodes of a cell.
+  enum class VelocityShape
+  {
+    multilinear,
+    /// with what makes its divergence the same at every point of the cell
+    evenly_divergent
+  };
+
   /// What has become of a walker.
   enum class Fate : std::uint8_t
   {

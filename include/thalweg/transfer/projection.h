@@ -43,6 +43,11 @@ namespace Thalweg
     /// are cut off before they are averaged.
     double band = std::numeric_limits<double>::infinity();
 
+    /// Whether it is kept a distance while particles move (CarriedDistance):
+    /// what is not on a plane then is noise, otherwise what the flow has
+    /// distorted.
+    bool distances_are_kept = false;
+
     /// Whether what particles carry is the distance from the interface.
     bool
     takes_distances() const

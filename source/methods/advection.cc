@@ -42,7 +42,9 @@ namespace Thalweg
   void
   Advection<dim>::attach(const Parts<dim> &parts_)
   {
-    parts    = std::make_unique<Parts<dim>>(parts_);
+    parts = std::make_unique<Parts<dim>>(parts_);
+    numbers =
+      std::make_unique<FlowStepNumbers<dim>>(parts->space, parts->fluids);
     function = parse();
     for (Vector *vector : {&convecting_velocity, &projected_velocity})
       parts->space.initialize_velocity(*vector);

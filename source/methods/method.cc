@@ -102,6 +102,16 @@ namespace Thalweg
 
 
   template <int dim>
+  std::string
+  count_particles(const Parts<dim> &parts)
+  {
+    return "particles = " +
+           std::to_string(parts.population.n_global_particles());
+  }
+
+
+
+  template <int dim>
   void
   record_particles(const Parts<dim>       &parts,
                    const ConvectionReport &local_report,
@@ -126,6 +136,10 @@ namespace Thalweg
 
 
 
+  template std::string
+  count_particles(const Parts<2> &);
+  template std::string
+  count_particles(const Parts<3> &);
   template void
   repopulate_in_place(const Parts<2> &,
                       const LagrangeSpace<2> &,

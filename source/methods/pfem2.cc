@@ -31,7 +31,9 @@ namespace Thalweg
   void
   Pfem2<dim>::attach(const Parts<dim> &parts_)
   {
-    parts            = std::make_unique<Parts<dim>>(parts_);
+    parts = std::make_unique<Parts<dim>>(parts_);
+    numbers =
+      std::make_unique<FlowStepNumbers<dim>>(parts->space, parts->fluids);
     budget           = std::make_unique<ParticleBudget<dim>>(*parts);
     carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
     if (time_integration == "staggered")

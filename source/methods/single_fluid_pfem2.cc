@@ -88,8 +88,11 @@ namespace Thalweg
                 dealii::ExcMessage(
                   "The method 'single fluid pfem2' is for one fluid: set "
                   "'Fluids/Number' to 1, or 'Method/Model' to 'pfem2'."));
-    parts = std::make_unique<Parts<dim>>(parts_);
-    flow  = std::make_unique<SingleFluidFlow<dim>>(parts->context,
+    parts   = std::make_unique<Parts<dim>>(parts_);
+    numbers = std::make_unique<FlowStepNumbers<dim>>(parts->space,
+                                                     parts->fluids,
+                                                     fourier_limit());
+    flow    = std::make_unique<SingleFluidFlow<dim>>(parts->context,
                                                   parts->mesh,
                                                   flow_parameters,
                                                   parts->fluids[0],

@@ -157,25 +157,6 @@ namespace Thalweg
 
 
 
-  template <int dim>
-  double
-  fourier_rate(const Fluids &fluids, const Mesh<dim> &mesh)
-  {
-    double viscosity = 0.;
-    for (unsigned int f = 0; f < fluids.size(); ++f)
-      viscosity = std::max(viscosity, fluids[f].viscosity / fluids[f].density);
-    const double edge =
-      dealii::Utilities::MPI::min(mesh.graph().minimal_extent(),
-                                  mesh.triangulation().get_communicator());
-    return viscosity / (edge * edge);
-  }
-
-
-
-  template double
-  fourier_rate<2>(const Fluids &, const Mesh<2> &);
-  template double
-  fourier_rate<3>(const Fluids &, const Mesh<3> &);
   template std::vector<std::pair<std::string, double>>
   flow_quantities<2>(const SolutionView<2> &,
                      const PhaseField<2> &,

@@ -57,7 +57,7 @@ namespace Thalweg
                    const double       end_time,
                    const double       dt,
                    const double       courant_number,
-                   const double       n_particles,
+                   const std::string &headline,
                    const bool         force)
   {
     if (!has_begun)
@@ -73,17 +73,15 @@ namespace Thalweg
     std::snprintf(text,
                   sizeof(text),
                   "step %6u   t = %9.4g of %.4g s   dt = %8.2e s   "
-                  "Co = %5.2f   particles = %.0f   left: %s",
+                  "Co = %5.2f   ",
                   step,
                   time,
                   end_time,
                   dt,
-                  courant_number,
-                  n_particles,
-                  duration(seconds_since(start) * (end_time - time) /
-                           (time - first_time))
-                    .c_str());
-    context.log.line(text);
+                  courant_number);
+    const double left =
+      seconds_since(start) * (end_time - time) / (time - first_time);
+    context.log.line(text + headline + "   left: " + duration(left));
   }
 
 

@@ -7,8 +7,6 @@
 #include <thalweg/simulation/statistics_columns.h>
 
 #include <cmath>
-#include <limits>
-#include <sstream>
 
 namespace Thalweg
 {
@@ -83,43 +81,6 @@ namespace Thalweg
 
 
   template <int dim>
-  double
-  Simulation<dim>::courant_rate(const Vector &velocity) const
-  {
-    double                rate  = 0;
-    const CellGraph<dim> &graph = mesh.graph();
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      {
-        double shortest = graph.cell(c).extent.norm();
-        if (!graph.cell(c).axis_parallel)
-          shortest = graph.iterator(c)->minimum_vertex_distance();
-        for (unsigned int v = 0; v < graph.n_vertices; ++v)
-          {
-            double sum = 0, squares = 0;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double u =
-                  velocity.local_element(dim * parts->nodes().nodes(c)[v] + d);
-                const double own =
-                  std::abs(u) * graph.cell(c).inverse_extent[d];
-                sum = own <= sum ? sum : own;
-                squares += u * u;
-              }
-            const double own =
-              graph.cell(c).axis_parallel ? sum : std::sqrt(squares) / shortest;
-            // std::max() would drop what is no number.
-            if (!(own <= rate))
-              rate = std::isfinite(own)
-                       ? own
-                       : std::numeric_limits<double>::infinity();
-          }
-      }
-    return dealii::Utilities::MPI::max(rate, context.communicator);
-  }
-
-
-
-  template <int dim>
   void
   Simulation<dim>::postprocess()
   {
@@ -132,22 +93,12 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::find_viscous_limit()
-  {
-    viscous = {fourier_rate(parameters.fluids, mesh),
-               parameters.method->fourier_limit()};
-  }
-
-
-
-  template <int dim>
-  void
   Simulation<dim>::choose_step()
   {
-    rate = courant_rate(parameters.method->velocity());
-    plan = parameters.time.next_step(time, rate, wanted_dt, viscous, last_dt);
-    dt   = plan.size;
-    check_courant_number(rate * dt);
+    numbers = parameters.method->step_numbers();
+    plan    = parameters.time.next_step(time, numbers, wanted_dt, last_dt);
+    dt      = plan.size;
+    check_courant_number();
   }
 
 
@@ -178,7 +129,6 @@ namespace Thalweg
       }
     if (context.resumed)
       load_state(checkpoint, values);
-    find_viscous_limit();
     parts->check_flux_balance(time);
     on_all(context.communicator, [&]() { check_finite(view()); });
     announce();
@@ -197,8 +147,8 @@ namespace Thalweg
     statistics.set("step", step);
     statistics.set("time [s]", time);
     statistics.set("dt [s]", dt);
-    statistics.set("Courant number", rate * dt);
-    statistics.set("Fourier number", viscous.rate * dt);
+    for (const StepNumber &number : numbers)
+      statistics.set(number.name, number.rate * dt);
     statistics.set("cells", mesh.triangulation().n_global_active_cells());
     statistics.set("dofs", parts->nodes().n_dofs());
     statistics.set("volume 1 before shift [m^d]", phase.volume_before_shift());

@@ -18,7 +18,8 @@ namespace Thalweg
       " cells, " + std::to_string(parts->nodes().n_dofs()) +
       " degrees of freedom, " +
       std::to_string(parts->particles().n_global_particles()) + " particles");
-    const std::string warning = parameters.time.warning(viscous);
+    const std::string warning =
+      parameters.time.warning(parameters.method->step_numbers());
     if (!warning.empty())
       context.log.warning(warning);
     std::string missing;
@@ -31,15 +32,28 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  Simulation<dim>::courant_number() const
+  {
+    for (const StepNumber &number : numbers)
+      if (number.name == "Courant number")
+        return number.rate * dt;
+    return 0.;
+  }
+
+
+
+  template <int dim>
   void
-  Simulation<dim>::check_courant_number(const double courant_number) const
+  Simulation<dim>::check_courant_number() const
   {
     constexpr double largest = 1e4;
-    if (std::isfinite(courant_number) && courant_number < largest)
+    const double     number  = courant_number();
+    if (std::isfinite(number) && number < largest)
       return;
     std::ostringstream message;
     message << "In step " << step + 1 << " (t = " << time
-            << " s) the Courant number is " << courant_number
+            << " s) the Courant number is " << number
             << ": either the solution diverges, or the step is far too long. "
                "Reduce 'Time/Courant number' or 'Time/Time step', and check "
                "velocities and units in the input.";
@@ -52,8 +66,12 @@ namespace Thalweg
   Simulation<2>::announce();
   template void
   Simulation<3>::announce();
+  template double
+  Simulation<2>::courant_number() const;
+  template double
+  Simulation<3>::courant_number() const;
   template void
-  Simulation<2>::check_courant_number(const double) const;
+  Simulation<2>::check_courant_number() const;
   template void
-  Simulation<3>::check_courant_number(const double) const;
+  Simulation<3>::check_courant_number() const;
 } // namespace Thalweg

@@ -193,10 +193,7 @@ namespace Thalweg
       {
         choose_step();
         if (adaptation->before_step(step, dt))
-          {
-            find_viscous_limit();
-            choose_step();
-          }
+          choose_step();
       }
     catch (const StepRefused &failure)
       {
@@ -211,8 +208,8 @@ namespace Thalweg
                     time,
                     parameters.time.end_time(),
                     dt,
-                    rate * dt,
-                    context.statistics.get("particles"),
+                    courant_number(),
+                    parameters.method->headline(),
                     parameters.time.is_over(time, step));
     on_all(context.communicator, [&]() {
       if (context.lock != nullptr)

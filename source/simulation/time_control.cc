@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Thalweg
@@ -130,50 +131,67 @@ namespace Thalweg
 
 
   std::string
-  TimeControl::warning(const Viscous &viscous) const
+  TimeControl::warning(const StepNumbers &numbers) const
   {
-    if (fixed_step * viscous.rate <= viscous.limit)
-      return "";
     std::ostringstream text;
-    text << "With 'Time/Time step' = " << fixed_step
-         << " s the Fourier number is " << fixed_step * viscous.rate
-         << ", but with explicit viscosity the method is stable only up to "
-         << viscous.limit << ". The largest stable step is "
-         << viscous.limit / viscous.rate << " s.";
+    for (const StepNumber &number : numbers)
+      if (fixed_step * number.rate > number.stable)
+        text << (text.tellp() > 0 ? " " : "")
+             << "With 'Time/Time step' = " << fixed_step << " s the "
+             << number.name << " is " << fixed_step * number.rate << ", but "
+             << number.where << " the method is stable only up to "
+             << number.stable << ". The largest stable step is "
+             << number.stable / number.rate << " s.";
     return text.str();
   }
 
 
 
   double
-  TimeControl::wanted_step(const double   time,
-                           const double   rate,
-                           const double   old_wanted,
-                           const Viscous &viscous) const
+  TimeControl::largest(const StepNumber &number) const
   {
-    if (!std::isfinite(rate))
-      throw StepRefused("At t = " + std::to_string(time) +
-                        " s the velocity is no finite number: the solution "
-                        "has blown up.");
+    const double wanted = number.name == "Courant number"   ? courant_number
+                          : number.name == "Fourier number" ? fourier_number
+                                                            : number.stable;
+    return std::min(wanted, number.stable);
+  }
+
+
+
+  double
+  TimeControl::wanted_step(const double       time,
+                           const StepNumbers &numbers,
+                           const double       old_wanted) const
+  {
+    double            dt       = std::numeric_limits<double>::infinity();
+    const StepNumber *decisive = nullptr;
+    for (const StepNumber &number : numbers)
+      {
+        if (!std::isfinite(number.rate))
+          throw StepRefused("At t = " + std::to_string(time) + " s the " +
+                            number.name +
+                            " is no finite number: the solution has blown up.");
+        const double own = largest(number) / std::max(number.rate, 1e-300);
+        if (own < dt)
+          {
+            dt       = own;
+            decisive = &number;
+          }
+      }
     if (fixed_step > 0.)
       return fixed_step;
-    const double by_courant = courant_number / std::max(rate, 1e-300);
-    const double by_fourier =
-      std::min(fourier_number, viscous.limit) / std::max(viscous.rate, 1e-300);
-    double dt = std::min({maximum, by_courant, by_fourier});
-    dt        = std::min(dt, old_wanted > 0 ? growth * old_wanted : first);
+    dt = std::min({dt, maximum, old_wanted > 0 ? growth * old_wanted : first});
+    if (dt >= minimum)
+      return dt;
     std::ostringstream message;
     message << "At t = " << time << " s a step of " << dt
-            << " s would be needed for the "
-            << (by_fourier < by_courant ? "Fourier" : "Courant")
-            << " number, which is less than 'Time/Minimum step': "
-            << (by_fourier < by_courant
-                  ? "the cells are too small for this viscosity where it "
-                    "is explicit."
-                  : "the solution is probably blowing up.");
-    if (!(dt >= minimum))
-      throw StepRefused(message.str());
-    return dt;
+            << " s would be needed";
+    if (decisive != nullptr)
+      message << " for the " << decisive->name;
+    message << ", which is less than 'Time/Minimum step'";
+    if (decisive != nullptr)
+      message << ": " << decisive->cause;
+    throw StepRefused(message.str() + ".");
   }
 
 
@@ -218,13 +236,12 @@ namespace Thalweg
 
 
   TimeControl::Step
-  TimeControl::next_step(const double   time,
-                         const double   rate,
-                         const double   old_wanted,
-                         const Viscous &viscous,
-                         const double   old_size) const
+  TimeControl::next_step(const double       time,
+                         const StepNumbers &numbers,
+                         const double       old_wanted,
+                         const double       old_size) const
   {
-    const double wanted = wanted_step(time, rate, old_wanted, viscous);
+    const double wanted = wanted_step(time, numbers, old_wanted);
     const double goal   = target(time, wanted);
     const double left   = goal - time;
     const double n      = n_steps(left, wanted);

@@ -81,10 +81,16 @@ namespace
         throw StepFailure("It stumbled.");
     }
 
-    const Vector &
-    velocity() const override
+    StepNumbers
+    step_numbers() const override
     {
-      return inner->velocity();
+      return inner->step_numbers();
+    }
+
+    std::string
+    headline() const override
+    {
+      return inner->headline();
     }
 
   private:

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "support/complaint.h"
 #include "support/input.h"
@@ -12,7 +13,18 @@
 
 namespace
 {
-  using Viscous = Thalweg::TimeControl::Viscous;
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+  /// Courant number of a step of one second, Fourier number of the same and
+  /// the largest stable one.
+  Thalweg::StepNumbers
+  numbers(const double courant,
+          const double fourier = 0.,
+          const double stable  = unlimited)
+  {
+    return {{"Courant number", courant},
+            {"Fourier number", fourier, stable, "with explicit viscosity"}};
+  }
 
   Thalweg::TimeControl
   control_with(const std::vector<std::string> &settings)
@@ -33,35 +45,43 @@ TEST(TimeControl, TakesTheSmallerOfCourantAndFourierSteps)
 {
   const auto control = control_with({adaptive, "Courant number = 2"});
   // The Courant number alone allows 0.02 s, without any limit of the method.
-  EXPECT_NEAR(control.next_step(0.1, 100., 1., {1e3, 1e300}).wanted,
+  EXPECT_NEAR(control.next_step(0.1, numbers(100., 1e3, 1e300), 1.).wanted,
               .02,
               1e-15);
-  EXPECT_NEAR(control.next_step(0.1, 100., 1., {1e3, Viscous().limit}).wanted,
+  EXPECT_NEAR(control.next_step(0.1, numbers(100., 1e3, unlimited), 1.).wanted,
               .02,
               1e-15);
   // The method's limit allows 0.5 / 50 s.
-  EXPECT_NEAR(control.next_step(0.1, 100., 1., {50., .5}).wanted, .01, 1e-15);
+  EXPECT_NEAR(control.next_step(0.1, numbers(100., 50., .5), 1.).wanted,
+              .01,
+              1e-15);
   // Without viscosity there is no bound.
-  EXPECT_NEAR(control.next_step(0.1, 100., 1., {0., .5}).wanted, .02, 1e-15);
+  EXPECT_NEAR(control.next_step(0.1, numbers(100., 0., .5), 1.).wanted,
+              .02,
+              1e-15);
 
   const auto bounded = control_with({adaptive, "Fourier number = 0.2"});
-  EXPECT_NEAR(bounded.next_step(0.1, 100., 1., {50., .5}).wanted, .004, 1e-15);
-  EXPECT_NEAR(bounded.next_step(0.1, 100., 1., {50., .1}).wanted, .002, 1e-15);
+  EXPECT_NEAR(bounded.next_step(0.1, numbers(100., 50., .5), 1.).wanted,
+              .004,
+              1e-15);
+  EXPECT_NEAR(bounded.next_step(0.1, numbers(100., 50., .1), 1.).wanted,
+              .002,
+              1e-15);
 }
 
 
 TEST(TimeControl, KeepsAGivenStepButWarns)
 {
   const auto control = control_with({"Time step = 0.02"});
-  EXPECT_EQ(control.next_step(0.1, 100., 1., {50., .5}).size, .02);
-  EXPECT_EQ(control.warning({50., .5}),
+  EXPECT_EQ(control.next_step(0.1, numbers(100., 50., .5), 1.).size, .02);
+  EXPECT_EQ(control.warning(numbers(0., 50., .5)),
             "With 'Time/Time step' = 0.02 s the Fourier number is 1, but with "
             "explicit viscosity the method is stable only up to 0.5. The "
             "largest stable step is 0.01 s.");
-  EXPECT_EQ(control.warning({20., .5}), "");
-  EXPECT_EQ(control.warning({1e9, Viscous().limit}), "");
+  EXPECT_EQ(control.warning(numbers(0., 20., .5)), "");
+  EXPECT_EQ(control.warning(numbers(0., 1e9, unlimited)), "");
   // Steps that are chosen respect the limit: nothing to warn of.
-  EXPECT_EQ(control_with({adaptive}).warning({1e9, .5}), "");
+  EXPECT_EQ(control_with({adaptive}).warning(numbers(0., 1e9, .5)), "");
 }
 
 
@@ -69,12 +89,34 @@ TEST(TimeControl, SaysWhichNumberNeedsTooShortSteps)
 {
   const auto control = control_with({adaptive, "Minimum step = 0.001"});
   EXPECT_NE(complaint_of([&]() {
-              control.next_step(0.1, 1., 1., {1e4, .5});
+              control.next_step(0.1, numbers(1., 1e4, .5), 1.);
             }).find("5e-05 s would be needed for the Fourier number"),
             std::string::npos);
   EXPECT_NE(complaint_of([&]() {
-              control.next_step(0.1, 1e5, 1., {1., .5});
+              control.next_step(0.1, numbers(1e5, 1., .5), 1.);
             }).find("2e-05 s would be needed for the Courant number"),
+            std::string::npos);
+}
+
+
+TEST(TimeControl, RespectsNumbersThatItDoesNotKnow)
+{
+  const auto                control = control_with({adaptive});
+  const Thalweg::StepNumber contact{"contact number", 100., .1, "", "grains"};
+  auto                      all = numbers(1.);
+  all.push_back(contact);
+  EXPECT_NEAR(control.next_step(.1, all, 1.).wanted, .001, 1e-15);
+  // A method need not have any number.
+  EXPECT_NEAR(control.next_step(.1, {}, 1.).size, .9, 1e-15);
+}
+
+
+TEST(TimeControl, RefusesWhatIsNoNumber)
+{
+  const auto control = control_with({"Time step = 0.1"});
+  EXPECT_NE(complaint_of([&]() {
+              control.next_step(.1, numbers(unlimited), 1.);
+            }).find("the Courant number is no finite number"),
             std::string::npos);
 }
 
@@ -92,10 +134,10 @@ TEST(TimeControl, GrowsAndHitsTheEnd)
 {
   const auto control =
     control_with({adaptive, "End time = 0.5", "First step = 0.01"});
-  EXPECT_NEAR(control.next_step(0., 1., 0., {}).wanted, .01, 1e-15);
-  EXPECT_NEAR(control.next_step(0.1, 1., .01, {}).wanted, .015, 1e-15);
-  EXPECT_NEAR(control.next_step(0.4, 1., .1, {}).size, .1, 1e-15);
-  EXPECT_EQ(control.next_step(0.4, 1., .1, {}).end, .5);
+  EXPECT_NEAR(control.next_step(0., numbers(1.), 0.).wanted, .01, 1e-15);
+  EXPECT_NEAR(control.next_step(0.1, numbers(1.), .01).wanted, .015, 1e-15);
+  EXPECT_NEAR(control.next_step(0.4, numbers(1.), .1).size, .1, 1e-15);
+  EXPECT_EQ(control.next_step(0.4, numbers(1.), .1).end, .5);
 }
 
 
@@ -121,7 +163,8 @@ namespace
     double time = 0., wanted = 0., size = 0.;
     for (unsigned int step = 1; !control.is_over(time, 0); ++step)
       {
-        auto plan = control.next_step(time, rate_at(time), wanted, {}, size);
+        auto plan =
+          control.next_step(time, numbers(rate_at(time)), wanted, size);
         if (step == failing)
           {
             plan.size *= .5;

@@ -2,6 +2,7 @@
 #ifndef thalweg_methods_advection_h
 #define thalweg_methods_advection_h
 
+#include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/method.h>
 
 #include <deal.II/base/function_parser.h>
@@ -48,10 +49,16 @@ namespace Thalweg
     void
     advance(const double time, const double dt) override;
 
-    const Vector &
-    velocity() const override
+    StepNumbers
+    step_numbers() const override
     {
-      return convecting_velocity;
+      return numbers->of(convecting_velocity);
+    }
+
+    std::string
+    headline() const override
+    {
+      return count_particles(*parts);
     }
 
   private:
@@ -65,6 +72,7 @@ namespace Thalweg
     std::string                                  expression;
     std::unique_ptr<dealii::FunctionParser<dim>> function;
     std::unique_ptr<Parts<dim>>                  parts;
+    std::unique_ptr<FlowStepNumbers<dim>>        numbers;
     Vector                                       convecting_velocity;
     Vector                                       projected_velocity;
     Vector                                       level_set;

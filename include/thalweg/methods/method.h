@@ -4,6 +4,7 @@
 
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
+#include <thalweg/core/step_number.h>
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/flow_fields.h>
 #include <thalweg/fields/state.h>
@@ -16,7 +17,7 @@
 #include <thalweg/particles/streamline_convection.h>
 #include <thalweg/transfer/projection.h>
 
-#include <limits>
+#include <string>
 
 namespace Thalweg
 {
@@ -120,23 +121,19 @@ namespace Thalweg
       return time;
     }
 
-    /// The velocity that the next step convects with, to choose its size.
-    virtual const Vector &
-    velocity() const = 0;
+    /// What bounds the size of the next step. Collective.
+    virtual StepNumbers
+    step_numbers() const = 0;
+
+    /// What the line of a step says of the method.
+    virtual std::string
+    headline() const = 0;
 
     /// The flow in spaces of the method's own, nullptr if it has none.
     virtual const FlowFields<dim> *
     flow_fields() const
     {
       return nullptr;
-    }
-
-    /// The largest Fourier number nu dt / h^2 with which steps are stable
-    /// (Eq. 65).
-    virtual double
-    fourier_limit() const
-    {
-      return std::numeric_limits<double>::infinity();
     }
   };
 
@@ -168,6 +165,11 @@ namespace Thalweg
                   const CellVelocity<dim> &cell_velocity,
                   const double             middle,
                   const double             dt);
+
+  /// How many particles there are, for Method::headline().
+  template <int dim>
+  std::string
+  count_particles(const Parts<dim> &parts);
 
   /// Writes what convection and population control did into the statistics.
   template <int dim>

@@ -3,6 +3,7 @@
 #define thalweg_methods_pfem2_h
 
 #include <thalweg/methods/convected_change.h>
+#include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/methods/particle_budget.h>
 #include <thalweg/transfer/carried_distance.h>
@@ -52,10 +53,16 @@ namespace Thalweg
       return flow_time;
     }
 
-    const Vector &
-    velocity() const override
+    StepNumbers
+    step_numbers() const override
     {
-      return convecting_velocity;
+      return numbers->of(convecting_velocity);
+    }
+
+    std::string
+    headline() const override
+    {
+      return count_particles(*parts);
     }
 
   private:
@@ -143,6 +150,7 @@ namespace Thalweg
     std::string time_integration = "staggered";
 
     std::unique_ptr<Parts<dim>>           parts;
+    std::unique_ptr<FlowStepNumbers<dim>> numbers;
     std::unique_ptr<ParticleBudget<dim>>  budget;
     std::unique_ptr<CarriedDistance<dim>> carried_distance;
     std::unique_ptr<ConvectedChange<dim>> convected_change; ///< if staggered

@@ -3,6 +3,7 @@
 #define thalweg_methods_single_fluid_pfem2_h
 
 #include <thalweg/fluid/single_fluid_flow.h>
+#include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/particles/population_snapshot.h>
 #include <thalweg/transfer/velocity_projection.h>
@@ -43,10 +44,16 @@ namespace Thalweg
     void
     advance(const double time, const double dt) override;
 
-    const Vector &
-    velocity() const override
+    StepNumbers
+    step_numbers() const override
     {
-      return parts->flow.velocity();
+      return numbers->of(parts->flow.velocity());
+    }
+
+    std::string
+    headline() const override
+    {
+      return count_particles(*parts);
     }
 
     const FlowFields<dim> *
@@ -55,10 +62,11 @@ namespace Thalweg
       return flow ? &flow->fields() : nullptr;
     }
 
-    double
-    fourier_limit() const override;
-
   private:
+    /// The largest Fourier number with which steps are stable (Eq. 65).
+    double
+    fourier_limit() const;
+
     /// x_p and the explicit part of V_p (Eq. 81a); empty cells are filled.
     void
     move_particles(const double dt);
@@ -84,6 +92,7 @@ namespace Thalweg
     Choice<VelocityProjection<dim>> projection;
 
     std::unique_ptr<Parts<dim>>           parts;
+    std::unique_ptr<FlowStepNumbers<dim>> numbers;
     std::unique_ptr<SingleFluidFlow<dim>> flow;
     Vector                                level_set;
     PopulationSnapshot<dim>               particles_at_start;

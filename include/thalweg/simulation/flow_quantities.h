@@ -24,13 +24,6 @@ namespace Thalweg
   flow_quantities(const SolutionView<dim>      &solution,
                   const PhaseField<dim>        &phase,
                   const dealii::Tensor<1, dim> &gravity);
-
-  /// The Fourier number of a step of one second (Eq. 65): the largest
-  /// kinematic viscosity of the fluids over the square of the shortest cell
-  /// edge, 1/s. Collective.
-  template <int dim>
-  double
-  fourier_rate(const Fluids &fluids, const Mesh<dim> &mesh);
 } // namespace Thalweg
 
 #endif

@@ -22,13 +22,14 @@ namespace Thalweg
 
     /// One line for a step, at most two a second on the terminal; to be
     /// called after every step.
+    /// @param headline what the method says
     void
     report(const unsigned int step,
            const double       time,
            const double       end_time,
            const double       dt,
            const double       courant_number,
-           const double       n_particles,
+           const std::string &headline,
            const bool         force);
 
     /// Timers by phase on the terminal and in `timers.csv`. Collective.

@@ -103,10 +103,6 @@ namespace Thalweg
     void
     announce();
 
-    /// Finds the limits that viscosity sets to steps on the present mesh.
-    void
-    find_viscous_limit();
-
     /// The next step as the parameters want it, and what its size follows
     /// from.
     void
@@ -160,13 +156,13 @@ namespace Thalweg
     void
     postprocess();
 
-    /// The Courant number of a step of one second, 1/s. Collective.
+    /// The Courant number of the next step; 0: the method has none.
     double
-    courant_rate(const Vector &velocity) const;
+    courant_number() const;
 
     /// Stops a run that has diverged. @throws dealii::ExcMessage
     void
-    check_courant_number(const double courant_number) const;
+    check_courant_number() const;
 
     void
     record();
@@ -187,12 +183,11 @@ namespace Thalweg
     double       wanted_dt = 0.;
     unsigned int step      = 0;
     /// The next step: as planned, and as it is after failures.
-    TimeControl::Step    plan{0., 0., 0.};
-    double               dt   = 0.;
-    double               rate = 0.;
-    TimeControl::Viscous viscous{0., 0.};
-    Progress             progress;
-    VolumeWatch          watch;
+    TimeControl::Step plan{0., 0., 0.};
+    double            dt = 0.;
+    StepNumbers       numbers;
+    Progress          progress;
+    VolumeWatch       watch;
 
     std::unique_ptr<SimulationParts<dim>> parts;
     std::unique_ptr<MeshAdaptation<dim>>  adaptation;

@@ -3,8 +3,8 @@
 #define thalweg_simulation_time_control_h
 
 #include <thalweg/core/section.h>
+#include <thalweg/core/step_number.h>
 
-#include <limits>
 #include <string>
 
 namespace Thalweg
@@ -34,18 +34,6 @@ namespace Thalweg
     is_over(const double time, const unsigned int step) const;
 
     /**
-     * @brief What bounds the steps by the viscosity (Eq. 65).
-     */
-    struct Viscous
-    {
-      /// The Fourier number of a step of one second: the largest nu / h^2,
-      /// 1/s.
-      double rate = 0.;
-      /// The largest Fourier number with which the method is stable.
-      double limit = std::numeric_limits<double>::infinity();
-    };
-
-    /**
      * @brief A step as it is planned.
      */
     struct Step
@@ -61,11 +49,9 @@ namespace Thalweg
     /**
      * @brief Plans the next step.
      * @param time now, s
-     * @param rate the Courant number of a step of one second: the largest
-     *   velocity over cell size, 1/s
+     * @param numbers that bound the steps, but not those of a given size
      * @param old_wanted Step::wanted of the last step, or its size if it had
      *   to be made shorter than planned; 0 at the start
-     * @param viscous does not bound steps of a given size
      * @param old_size of the last step; a new one that differs by round-off
      *   only has the same bits, so that nothing has to be set up for it
      *
@@ -75,25 +61,27 @@ namespace Thalweg
      * half of the shorter one of these two.
      */
     Step
-    next_step(const double   time,
-              const double   rate,
-              const double   old_wanted,
-              const Viscous &viscous,
-              const double   old_size = 0.) const;
+    next_step(const double       time,
+              const StepNumbers &numbers,
+              const double       old_wanted,
+              const double       old_size = 0.) const;
 
     /// What is to be said at the start about a given step that is too long
     /// for the method; empty: nothing.
     std::string
-    warning(const Viscous &viscous) const;
+    warning(const StepNumbers &numbers) const;
 
   private:
     /// The step that is allowed, before what is left is divided. Arguments as
     /// of next_step().
     double
-    wanted_step(const double   time,
-                const double   rate,
-                const double   old_wanted,
-                const Viscous &viscous) const;
+    wanted_step(const double       time,
+                const StepNumbers &numbers,
+                const double       old_wanted) const;
+
+    /// The largest value of @p number that a step may have.
+    double
+    largest(const StepNumber &number) const;
 
     /// How much longer than allowed a step may become, as a part of it.
     double

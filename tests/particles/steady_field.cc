@@ -84,6 +84,21 @@ namespace
   }
 
 
+  /// Both go with the same random velocity.
+  template <int dim>
+  struct BothShapes
+  {
+    explicit BothShapes(const Thalweg::Mesh<dim> &mesh)
+      : even(mesh.graph(),
+             random_velocity(mesh),
+             VelocityShape::evenly_divergent)
+      , plain(mesh.graph(), random_velocity(mesh), VelocityShape::multilinear)
+    {}
+
+    const Rates<dim> even, plain;
+  };
+
+
   template <int dim>
   std::array<double, dim>
   point(const double x, const double y, const double z)
@@ -99,11 +114,7 @@ namespace
   void
   check_divergence(const Thalweg::Mesh<dim> &mesh)
   {
-    const auto       velocity = random_velocity(mesh);
-    const Rates<dim> even(mesh.graph(),
-                          velocity,
-                          VelocityShape::evenly_divergent),
-      plain(mesh.graph(), velocity, VelocityShape::multilinear);
+    const auto &[even, plain] = BothShapes<dim>(mesh);
     for (unsigned int cell = 0; cell < mesh.graph().n_cells(); ++cell)
       {
         const double mean = even.divergence(cell, point<dim>(.5, .5, .5));
@@ -126,11 +137,7 @@ namespace
   void
   check_faces(const Thalweg::Mesh<dim> &mesh)
   {
-    const auto       velocity = random_velocity(mesh);
-    const Rates<dim> even(mesh.graph(),
-                          velocity,
-                          VelocityShape::evenly_divergent),
-      plain(mesh.graph(), velocity, VelocityShape::multilinear);
+    const auto &[even, plain] = BothShapes<dim>(mesh);
     for (unsigned int cell = 0; cell < mesh.graph().n_cells(); ++cell)
       for (unsigned int d = 0; d < dim; ++d)
         for (const double side : {0., 1.})

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/pattern_words.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <gtest/gtest.h>
 #include <limits>
 

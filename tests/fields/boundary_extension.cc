@@ -52,7 +52,7 @@ namespace
 
 TYPED_TEST(BoundaryExtensionMpi, ConstantsReachBoundaryNodesAndNoOthers)
 {
-  constexpr int dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   for (const unsigned int degree : {1u, 2u})
     {
       const FlowScene<dim> scene(hanging_box<dim>(3) + conditions<dim>(),

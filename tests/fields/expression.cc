@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/expression.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <gtest/gtest.h>
 
 #include "support/complaint.h"

@@ -71,7 +71,7 @@ namespace
 
 TYPED_TEST(FlowBoundaryMpi, NodesOfAnyDegreeTakeTheirGivenValues)
 {
-  constexpr int dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   for (const auto &[k, l] : degree_pairs())
     {
       const FlowScene<dim> scene(tunnel<dim>(), k, l);

@@ -261,7 +261,7 @@ TYPED_TEST(LagrangeSpaceMpi, JoinCopiesFindsExtremesAcrossPeriodicSides)
 
 TYPED_TEST(LagrangeSpaceMpi, VertexValuesAreThoseOfTheField)
 {
-  constexpr int               dim = TypeParam::value;
+  static constexpr int        dim = TypeParam::value;
   Scene<dim>                  scene(hanging_box<dim>(4));
   const dealii::MappingQ<dim> mapping(2);
   for (const unsigned int degree : {1u, 2u})

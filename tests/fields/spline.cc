@@ -13,6 +13,7 @@ TEST(Spline, ReproducesCubicPolynomials)
   const auto f = [](const double t) { return 1. + t * (2. + t * (3. - t)); };
   const std::vector<double> t{0., .4, .5, 1.3, 2.};
   std::vector<double>       values;
+  values.reserve(t.size());
   for (const double s : t)
     values.push_back(f(s));
   const Spline spline(t, values);

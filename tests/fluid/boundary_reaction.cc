@@ -89,7 +89,7 @@ TYPED_TEST(BoundaryReactionMpi, FluidAtRestWeighsOnTheGround)
 
 TYPED_TEST(BoundaryReactionMpi, PoiseuillesFlowDragsTheWalls)
 {
-  constexpr int        dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   const double         nu  = .3;
   const FlowScene<dim> scene(
     hanging_box<dim>(3, {"Periodic boundaries = left:right"}) +
@@ -201,7 +201,7 @@ TYPED_TEST(BoundaryReactionMpi, AccelerationAndConvectionNeedForces)
 {
   // All nodes of a single cell of degree 1 are at the boundary: their sum is
   // the balance of momentum of the whole box.
-  constexpr int        dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   const FlowScene<dim> scene(unit_box<dim>(1) +
                                section("Boundary conditions",
                                        {"Otherwise = no slip"}),

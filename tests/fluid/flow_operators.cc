@@ -326,7 +326,7 @@ TYPED_TEST(ConvectiveTermMpi, LinearVelocitiesHaveTheirAcceleration)
 
 TYPED_TEST(ConvectiveTermMpi, AgreesWithAnIntegralByHand)
 {
-  constexpr int             dim = TypeParam::value;
+  static constexpr int      dim = TypeParam::value;
   const FlowScene<dim>      scene(hanging_box<dim>(3) + walls, 2, 1);
   const ConvectiveTerm<dim> convection(scene.operators);
   Vector                    result = scene.empty_velocity();

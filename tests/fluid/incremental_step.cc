@@ -17,7 +17,7 @@ namespace
 
 TYPED_TEST(IncrementalStepMpi, QuadraticVelocitiesHaveTheirViscousAcceleration)
 {
-  constexpr int        dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   const StepScene<dim> scene(hanging_box<dim>(3) + given_ends<dim>(), 2, 1, .3);
   Vector               g = scene.no_velocity();
   scene.step->viscous_acceleration(scene.flow_velocity(poiseuille<dim>), g);
@@ -34,7 +34,7 @@ TYPED_TEST(IncrementalStepMpi, QuadraticVelocitiesHaveTheirViscousAcceleration)
 
 TYPED_TEST(IncrementalStepMpi, LinearPressuresHaveTheirAcceleration)
 {
-  constexpr int dim = TypeParam::value;
+  static constexpr int dim = TypeParam::value;
   for (const auto &[k, l] : degree_pairs())
     {
       const StepScene<dim> scene(

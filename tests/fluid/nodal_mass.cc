@@ -76,9 +76,9 @@ TYPED_TEST(NodalMassMpi, BesideASurfaceAccelerationsAreNearlyThoseOfTheNodes)
   // Fluid of nearly all mass below a plane that passes a third above the
   // nodes of a row. The acceleration grows with the height; the force that
   // makes it is int N rho a.
-  constexpr int    dim = TypeParam::value;
-  constexpr double h   = .125;
-  const Scene<dim> scene(unit_box<dim>(8) + two_fluids(1e6, 1.));
+  static constexpr int dim = TypeParam::value;
+  constexpr double     h   = .125;
+  const Scene<dim>     scene(unit_box<dim>(8) + two_fluids(1e6, 1.));
   scene.set_phases([](const auto &x) { return x[1] - 4. * h - h / 3.; });
   NodalMass<dim> mass(*scene.space, *scene.boundary, *scene.phase);
   mass.update();

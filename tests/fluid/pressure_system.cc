@@ -248,9 +248,9 @@ TYPED_TEST(PressureSystemMpi, AConstantForceDensityIsBalancedExactly)
 TYPED_TEST(PressureSystemMpi, ASolenoidalVelocityNeedsNoPressure)
 {
   // Through given inflow and outflow, with the interface in between.
-  constexpr int     dim   = TypeParam::value;
-  const std::string other = dim == 3 ? "; 0" : "";
-  Scene<dim>        scene(
+  static constexpr int dim   = TypeParam::value;
+  const std::string    other = dim == 3 ? "; 0" : "";
+  Scene<dim>           scene(
     hanging_box<dim>(4) + two_fluids(rho[0], rho[1]) +
     section("Boundary conditions",
             {"Velocity = left: 2; 0" + other + " | right: 2; 0" + other}));

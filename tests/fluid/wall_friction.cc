@@ -75,8 +75,8 @@ TYPED_TEST(WallFrictionMpi, QuadraticVelocitiesHaveTheirs)
 
 TYPED_TEST(WallFrictionMpi, SecondOrder)
 {
-  constexpr int dim     = TypeParam::value;
-  const auto    largest = [](const unsigned int n) {
+  static constexpr int dim     = TypeParam::value;
+  const auto           largest = [](const unsigned int n) {
     const StepScene<dim> scene(unit_box<dim>(n) +
                                  section("Boundary conditions",
                                          {"No slip = bottom, right, top"}),

@@ -55,10 +55,10 @@ TYPED_TEST(ConvectedChangeMpi, InASteadyRotationItIsThatOfTheRotation)
 {
   // The velocity is linear, so that the walk is all that can be wrong; half a
   // radian leads through several cells.
-  constexpr int    dim  = TypeParam::value;
-  const double     time = .5;
-  const Scene<dim> scene(unit_box<dim>(8), Meshes::distort_and_refine<dim>);
-  const auto       velocity = [](const dealii::Point<dim> &x) {
+  static constexpr int dim  = TypeParam::value;
+  const double         time = .5;
+  const Scene<dim>     scene(unit_box<dim>(8), Meshes::distort_and_refine<dim>);
+  const auto           velocity = [](const dealii::Point<dim> &x) {
     dealii::Tensor<1, dim> u;
     u[0] = .5 - x[1];
     u[1] = x[0] - .5;
@@ -79,8 +79,8 @@ TYPED_TEST(ConvectedChangeMpi, InASteadyRotationItIsThatOfTheRotation)
 TYPED_TEST(ConvectedChangeMpi, UniformFlowDoesNotChange)
 {
   // At the side where it comes in there is no more of a streamline.
-  constexpr int    dim = TypeParam::value;
-  const Scene<dim> scene(
+  static constexpr int dim = TypeParam::value;
+  const Scene<dim>     scene(
     hanging_box<dim>(4, {"Periodic boundaries = bottom:top"}));
   const auto velocity = [](const dealii::Point<dim> &) {
     dealii::Tensor<1, dim> u;

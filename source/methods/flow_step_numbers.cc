@@ -46,9 +46,9 @@ namespace Thalweg
   FlowStepNumbers<dim>::of(const Vector &velocity) const
   {
     StepNumber courant, fourier;
-    courant.name   = "Courant number";
+    courant.name   = StepNumber::courant;
     courant.rate   = courant_rate(space, velocity);
-    fourier.name   = "Fourier number";
+    fourier.name   = StepNumber::fourier;
     fourier.rate   = fourier_rate;
     fourier.stable = stable_fourier_number;
     fourier.where  = "with explicit viscosity";

@@ -48,18 +48,17 @@ namespace Thalweg
     template <int dim>
     std::array<double, (1 << dim)>
     divergence_of_flux(
-      const std::array<double, dim *(1 << dim)> &map,
-      const std::array<double, dim *(1 << dim)> &nodal_velocity)
+      const std::array<dealii::Tensor<2, dim>, (1 << dim)> &jacobians,
+      const std::array<double, dim *(1 << dim)>            &nodal_velocity)
     {
       auto velocity = nodal_velocity;
       to_polynomial<dim>(velocity);
       std::array<double, (1 << dim)> divergence;
       for (unsigned int v = 0; v < divergence.size(); ++v)
         {
-          const auto                   x        = vertex<dim>(v);
-          const dealii::Tensor<2, dim> jacobian = gradient<dim>(map, x);
-          divergence[v]                         = determinant(jacobian) *
-                          trace(gradient<dim>(velocity, x) * invert(jacobian));
+          const auto rise = gradient<dim>(velocity, vertex<dim>(v));
+          divergence[v] =
+            determinant(jacobians[v]) * trace(rise * invert(jacobians[v]));
         }
       return divergence;
     }
@@ -83,14 +82,8 @@ namespace Thalweg
 
   template <int dim>
   typename SteadyField<dim>::Bubbles
-  SteadyField<dim>::bubbles_of(const typename CellGraph<dim>::Cell &geometry,
-                               const Polynomial                    &map,
-                               const Polynomial &nodal_velocity)
+  SteadyField<dim>::bubbles_of(const std::array<double, n_vertices> &divergence)
   {
-    const auto divergence = geometry.axis_parallel
-                              ? divergence_of_rates<dim>(nodal_velocity)
-                              : divergence_of_flux<dim>(map, nodal_velocity);
-
     // The part of it that is odd in some of the directions, at vertex 1,1,(1).
     const auto odd_part = [&divergence](const unsigned int directions) {
       double sum = 0;
@@ -114,26 +107,15 @@ namespace Thalweg
 
   template <int dim>
   double
-  SteadyField<dim>::fastest_bubble(
-    const typename CellGraph<dim>::Cell &geometry,
-    const Polynomial                    &map,
-    const Bubbles                       &bubbles)
+  SteadyField<dim>::fastest_bubble(const Bubbles &bubbles)
   {
-    double stretch = 1;
-    if (!geometry.axis_parallel)
-      {
-        stretch = std::numeric_limits<double>::max();
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          stretch =
-            std::min(stretch, determinant(gradient<dim>(map, vertex<dim>(v))));
-      }
     double greatest = 0, mixed = 0;
     for (unsigned int i = 0; i < bubbles.size(); ++i)
       if (i < dim)
         greatest = std::max(greatest, std::abs(bubbles[i]));
       else
         mixed += .5 * std::abs(bubbles[i]);
-    return .25 * (greatest + mixed) / stretch;
+    return .25 * (greatest + mixed);
   }
 
 
@@ -145,9 +127,18 @@ namespace Thalweg
                             const double                         direction,
                             const VelocityShape                  shape)
   {
-    Polynomial map{};
+    Jacobians jacobians;
+    double    least_stretch = 1;
     if (!geometry.axis_parallel)
-      map = CellMaps<dim>::shape_of(geometry);
+      {
+        const Polynomial map = CellMaps<dim>::shape_of(geometry);
+        least_stretch        = std::numeric_limits<double>::max();
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            jacobians[v]  = gradient<dim>(map, vertex<dim>(v));
+            least_stretch = std::min(least_stretch, determinant(jacobians[v]));
+          }
+      }
     Flow   result{};
     double fastest = 0;
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -163,7 +154,7 @@ namespace Thalweg
             velocity = rate;
           }
         else
-          rate = solve<dim>(gradient<dim>(map, vertex<dim>(v)), velocity);
+          rate = solve<dim>(jacobians[v], velocity);
         for (unsigned int d = 0; d < dim; ++d)
           {
             result.velocity[v * dim + d] = velocity[d];
@@ -172,8 +163,11 @@ namespace Thalweg
       }
     if (shape == VelocityShape::evenly_divergent)
       {
-        result.bubbles = bubbles_of(geometry, map, result.velocity);
-        fastest += fastest_bubble(geometry, map, result.bubbles);
+        result.bubbles =
+          bubbles_of(geometry.axis_parallel
+                       ? divergence_of_rates<dim>(result.velocity)
+                       : divergence_of_flux<dim>(jacobians, result.velocity));
+        fastest += fastest_bubble(result.bubbles) / least_stretch;
       }
     to_polynomial<dim>(result.velocity);
     result.longest_substep =

@@ -36,7 +36,7 @@ namespace Thalweg
   Simulation<dim>::courant_number() const
   {
     for (const StepNumber &number : numbers)
-      if (number.name == "Courant number")
+      if (number.name == StepNumber::courant)
         return number.rate * dt;
     return 0.;
   }

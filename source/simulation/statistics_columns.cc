@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/step_number.h>
 #include <thalweg/simulation/statistics_columns.h>
 
 namespace Thalweg
@@ -10,8 +11,8 @@ namespace Thalweg
       "step",
       "time [s]",
       "dt [s]",
-      "Courant number",
-      "Fourier number",
+      StepNumber::courant,
+      StepNumber::fourier,
       "cells",
       "dofs",
       "particles",

@@ -150,9 +150,9 @@ namespace Thalweg
   double
   TimeControl::largest(const StepNumber &number) const
   {
-    const double wanted = number.name == "Courant number"   ? courant_number
-                          : number.name == "Fourier number" ? fourier_number
-                                                            : number.stable;
+    const double wanted = number.name == StepNumber::courant   ? courant_number
+                          : number.name == StepNumber::fourier ? fourier_number
+                                                               : number.stable;
     return std::min(wanted, number.stable);
   }
 

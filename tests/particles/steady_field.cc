@@ -101,10 +101,10 @@ namespace
 
   template <int dim>
   std::array<double, dim>
-  point(const double x, const double y, const double z)
+  point(const double x, const double y, [[maybe_unused]] const double z)
   {
     if constexpr (dim == 2)
-      return {{x, y + 0. * z}};
+      return {{x, y}};
     else
       return {{x, y, z}};
   }

@@ -15,7 +15,11 @@ namespace Thalweg
    */
   struct StepNumber
   {
-    /// As it is called in statistics and messages, "Courant number".
+    /// Those of which the user may say how large they become.
+    static constexpr const char *courant = "Courant number";
+    static constexpr const char *fourier = "Fourier number";
+
+    /// As it is called in statistics and messages.
     std::string name;
     /// Its value for a step of one second, 1/s.
     double rate = 0.;

@@ -84,6 +84,8 @@ namespace Thalweg
   private:
     /// Coefficients of 1, x, y, xy, z, ... for each component.
     using Polynomial = std::array<double, dim * n_vertices>;
+    /// Derivatives of a cell's map at its vertices.
+    using Jacobians = std::array<dealii::Tensor<2, dim>, n_vertices>;
     /// Half of what the divergence rises along x, y, (z), and in three
     /// dimensions a quarter of its coefficients of yz, xz, xy.
     using Bubbles = std::array<double, dim == 2 ? 2 : 6>;
@@ -117,16 +119,15 @@ namespace Thalweg
             const double                         direction,
             const VelocityShape                  shape);
 
+    /// What evens out a divergence, in the reference cell, with these values
+    /// at the vertices.
     static Bubbles
-    bubbles_of(const typename CellGraph<dim>::Cell &cell,
-               const Polynomial                    &map,
-               const Polynomial                    &nodal_velocity);
+    bubbles_of(const std::array<double, n_vertices> &divergence);
 
-    /// A bound of what the bubbles add to a reference rate, 1/s.
+    /// A bound of what the bubbles add to a rate where the cell is stretched
+    /// least.
     static double
-    fastest_bubble(const typename CellGraph<dim>::Cell &cell,
-                   const Polynomial                    &map,
-                   const Bubbles                       &bubbles);
+    fastest_bubble(const Bubbles &bubbles);
 
     std::vector<Flow> flow;
   };

@@ -11,7 +11,7 @@ BUILD=${BUILD:-$ROOT/build}
 PACKAGES=(
   libdeal.ii-dev libboost-program-options-dev libgtest-dev
   nlohmann-json3-dev
-  cmake ninja-build ccache g++ openmpi-bin python3
+  cmake ninja-build g++ openmpi-bin python3
 )
 PLOT_PACKAGES=(python3 python3-numpy python3-matplotlib python3-vtk9)
 

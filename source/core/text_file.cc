@@ -16,17 +16,17 @@ namespace Thalweg
   namespace
   {
     /// An open file.
-    class Descriptor
+    class InputDescriptor
     {
     public:
-      explicit Descriptor(const std::string &path)
+      explicit InputDescriptor(const std::string &path)
         // A pipe without a writer would block.
         : number(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC))
       {}
 
-      Descriptor(const Descriptor &) = delete;
+      InputDescriptor(const InputDescriptor &) = delete;
 
-      ~Descriptor()
+      ~InputDescriptor()
       {
         if (number >= 0)
           ::close(number);
@@ -101,7 +101,7 @@ namespace Thalweg
     if (::stat(path.c_str(), &status) != 0)
       refuse(what, std::strerror(errno));
     expect_plain(status, what, longest);
-    const Descriptor file(path);
+    const InputDescriptor file(path);
     if (file.number < 0 || ::fstat(file.number, &status) != 0)
       refuse(what, std::strerror(errno));
     expect_plain(status, what, longest);

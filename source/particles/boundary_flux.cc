@@ -11,18 +11,15 @@ namespace Thalweg
 {
   namespace
   {
-    template <int dim>
-    using Face = typename BoundaryNodes<dim>::Face;
-
     /// The outward volume in m^dim/s through a point of a face times its
     /// weight.
     template <int dim>
     double
-    flux_at(const Face<dim>               &face,
-            const unsigned int             q,
-            const BoundaryConditions<dim> &conditions,
-            const NodeSpace<dim>          &space,
-            const Vector                  &velocity)
+    flux_at(const typename BoundaryNodes<dim>::Face &face,
+            const unsigned int                       q,
+            const BoundaryConditions<dim>           &conditions,
+            const NodeSpace<dim>                    &space,
+            const Vector                            &velocity)
     {
       const auto            &condition = conditions.at(face.id);
       const auto            &xi        = face.reference_points[q];

@@ -9,7 +9,7 @@ namespace Thalweg
 {
   namespace
   {
-    const std::string model = "backward step";
+    const std::string step_model = "backward step";
 
     /// A channel that widens downwards at x = 0.
     template <int dim>
@@ -117,7 +117,7 @@ namespace Thalweg
           section,
           positions(0., std::vector<double>(layers, width / layers)),
           triangulation,
-          "The geometry '" + model + "'");
+          "The geometry '" + step_model + "'");
       }
 
 
@@ -135,14 +135,16 @@ namespace Thalweg
       void
       check() const
       {
-        Geometries::check_positive(step_height, "Step height", model);
-        Geometries::check_positive(inlet_height, "Inlet height", model);
-        Geometries::check_positive(inlet_length, "Inlet length", model);
-        Geometries::check_positive(outlet_length, "Outlet length", model);
-        Geometries::check_positive(cell_size, "Cell size", model);
-        Geometries::check_positive(inlet_cell, "Inlet cell length", model);
-        Geometries::check_positive(outlet_cell, "Outlet cell length", model);
-        Geometries::check_positive(width, "Width", model);
+        Geometries::check_positive(step_height, "Step height", step_model);
+        Geometries::check_positive(inlet_height, "Inlet height", step_model);
+        Geometries::check_positive(inlet_length, "Inlet length", step_model);
+        Geometries::check_positive(outlet_length, "Outlet length", step_model);
+        Geometries::check_positive(cell_size, "Cell size", step_model);
+        Geometries::check_positive(inlet_cell, "Inlet cell length", step_model);
+        Geometries::check_positive(outlet_cell,
+                                   "Outlet cell length",
+                                   step_model);
+        Geometries::check_positive(width, "Width", step_model);
       }
 
       /// No cell is shorter than this.

@@ -13,7 +13,7 @@ namespace Thalweg
 {
   namespace
   {
-    const std::string model = "cylinder in channel";
+    const std::string channel_model = "cylinder in channel";
 
     /**
      * @brief A channel along x around a circular cylinder along z.
@@ -160,9 +160,9 @@ namespace Thalweg
       if (position > half * (1 + 1e-6) && extent - position > half * (1 + 1e-6))
         return;
       std::ostringstream message;
-      message << "In the geometry '" << model << "' the square of " << 2. * half
-              << " m about the cylinder's axis at " << direction << " = "
-              << position << " m does not fit between " << direction
+      message << "In the geometry '" << channel_model << "' the square of "
+              << 2. * half << " m about the cylinder's axis at " << direction
+              << " = " << position << " m does not fit between " << direction
               << " = 0 and " << extent
               << " m. Move the 'Centre', or reduce 'Square width' below "
               << 2. * std::min(position, extent - position) / diameter << '.';
@@ -175,21 +175,21 @@ namespace Thalweg
     void
     CylinderInChannel<dim>::check() const
     {
-      Geometries::check_positive(length, "Length", model);
-      Geometries::check_positive(height, "Height", model);
-      Geometries::check_positive(width, "Width", model);
-      Geometries::check_positive(diameter, "Diameter", model);
-      Geometries::check_positive(ring_growth, "Ring growth", model);
-      Geometries::check_positive(stretching, "Stretching", model);
+      Geometries::check_positive(length, "Length", channel_model);
+      Geometries::check_positive(height, "Height", channel_model);
+      Geometries::check_positive(width, "Width", channel_model);
+      Geometries::check_positive(diameter, "Diameter", channel_model);
+      Geometries::check_positive(ring_growth, "Ring growth", channel_model);
+      Geometries::check_positive(stretching, "Stretching", channel_model);
       AssertThrow(cells_around >= 8 && cells_around % 8 == 0,
                   dealii::ExcMessage("The 'Cells around' of the geometry '" +
-                                     model + "' are " +
+                                     channel_model + "' are " +
                                      std::to_string(cells_around) +
                                      "; they must be a multiple of eight."));
       AssertThrow(ring > 1. && ring < .95 * square_width,
                   dealii::ExcMessage(
-                    "The 'Ring diameter' of the geometry '" + model + "' is " +
-                    std::to_string(ring) +
+                    "The 'Ring diameter' of the geometry '" + channel_model +
+                    "' is " + std::to_string(ring) +
                     " cylinder diameters; it must be greater than 1 and less "
                     "than 0.95 times the 'Square width'."));
       check_distance(center[0], length, "x");
@@ -352,7 +352,7 @@ namespace Thalweg
         section,
         Geometries::positions(0., std::vector<double>(layers, width / layers)),
         triangulation,
-        "The geometry '" + model + "'");
+        "The geometry '" + channel_model + "'");
       attach_manifold(triangulation);
     }
   } // namespace

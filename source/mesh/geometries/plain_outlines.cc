@@ -13,9 +13,6 @@ namespace Thalweg
   {
     namespace
     {
-      constexpr std::int64_t most = std::numeric_limits<int>::max() - 1;
-
-
       Shape
       cube(const unsigned int dim)
       {

@@ -121,6 +121,22 @@ namespace Thalweg
   }
 
 
+
+  void
+  collect_fault(std::vector<std::string>    &faults,
+                const std::function<void()> &test)
+  {
+    try
+      {
+        test();
+      }
+    catch (const std::exception &exception)
+      {
+        faults.push_back(message_of(exception));
+      }
+  }
+
+
   int
   run_guarded(const MPI_Comm communicator, const std::function<int()> &program)
   {

@@ -249,6 +249,23 @@ namespace Thalweg
 
 
 
+  template <int dim>
+  bool
+  is_expression(const std::string &text, const unsigned int n_components)
+  {
+    try
+      {
+        parse_expression<dim>(text, n_components, "");
+        return true;
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        return false;
+      }
+  }
+
+
+
   bool
   mentions_time(const std::string &text)
   {
@@ -269,4 +286,8 @@ namespace Thalweg
   parse_expression<3>(const std::string &,
                       const unsigned int,
                       const std::string &);
+  template bool
+  is_expression<2>(const std::string &, const unsigned int);
+  template bool
+  is_expression<3>(const std::string &, const unsigned int);
 } // namespace Thalweg

@@ -6,6 +6,13 @@
 namespace Thalweg
 {
   template <int dim>
+  Advection<dim>::Advection()
+    : FlowMethod<dim>(/*computes_flow=*/false)
+  {}
+
+
+
+  template <int dim>
   void
   Advection<dim>::declare_parameters(const Section &section)
   {
@@ -31,7 +38,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::check() const
+  Advection<dim>::check_parameters() const
   {
     parse();
   }
@@ -40,9 +47,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::attach(const Parts<dim> &parts_)
+  Advection<dim>::attach_fields()
   {
-    parts = std::make_unique<Parts<dim>>(parts_);
     numbers =
       std::make_unique<FlowStepNumbers<dim>>(parts->space, parts->fluids);
     function = parse();
@@ -55,13 +61,12 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::initialize(const dealii::Function<dim> &,
-                             const Vector &initial_velocity,
-                             const Vector &initial_level_set)
+  Advection<dim>::initialize_fields(
+    const typename InterfaceFlow<dim>::Start &start)
   {
-    convecting_velocity = initial_velocity;
-    projected_velocity  = initial_velocity;
-    level_set           = initial_level_set;
+    convecting_velocity = start.nodal_velocity;
+    projected_velocity  = start.nodal_velocity;
+    level_set           = start.nodal_level_set;
     parts->projection.project(parts->population,
                               parts->space,
                               parts->fluids,
@@ -75,7 +80,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::keep(const State<dim> &state)
+  Advection<dim>::keep_fields(const State<dim> &state)
   {
     state.field("convecting velocity", parts->space, convecting_velocity, dim);
     state.field("projected velocity", parts->space, projected_velocity, dim);
@@ -95,7 +100,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  Advection<dim>::repopulate()
+  Advection<dim>::repopulate_cells()
   {
     repopulate_in_place(*parts, parts->space, projected_velocity, level_set);
   }

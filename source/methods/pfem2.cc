@@ -7,6 +7,13 @@
 namespace Thalweg
 {
   template <int dim>
+  Pfem2<dim>::Pfem2()
+    : FlowMethod<dim>(/*computes_flow=*/true)
+  {}
+
+
+
+  template <int dim>
   void
   Pfem2<dim>::declare_parameters(const Section &section)
   {
@@ -29,9 +36,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::attach(const Parts<dim> &parts_)
+  Pfem2<dim>::attach_fields()
   {
-    parts = std::make_unique<Parts<dim>>(parts_);
     numbers =
       std::make_unique<FlowStepNumbers<dim>>(parts->space, parts->fluids);
     budget           = std::make_unique<ParticleBudget<dim>>(*parts);
@@ -50,20 +56,18 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::initialize(const dealii::Function<dim> &,
-                         const Vector &initial_velocity,
-                         const Vector &initial_level_set)
+  Pfem2<dim>::initialize_fields(const typename InterfaceFlow<dim>::Start &start)
   {
-    convecting_velocity = initial_velocity;
-    old_velocity        = initial_velocity;
-    velocity_star       = initial_velocity;
-    level_set           = initial_level_set;
+    convecting_velocity = start.nodal_velocity;
+    old_velocity        = start.nodal_velocity;
+    velocity_star       = start.nodal_velocity;
+    level_set           = start.nodal_level_set;
     convecting_velocity.update_ghost_values();
     velocity_star.update_ghost_values();
     project_particles();
     parts->phase.rebuild(level_set);
     Vector &v = parts->flow.velocity();
-    v.copy_locally_owned_data_from(initial_velocity);
+    v.copy_locally_owned_data_from(start.nodal_velocity);
     parts->space.interpolate(v, dim);
   }
 
@@ -71,7 +75,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::keep(const State<dim> &state)
+  Pfem2<dim>::keep_fields(const State<dim> &state)
   {
     state.values().value("flow time", flow_time);
     state.values().value("old flow time", old_flow_time);
@@ -96,7 +100,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  Pfem2<dim>::repopulate()
+  Pfem2<dim>::repopulate_cells()
   {
     repopulate_in_place(*parts,
                         parts->space,

@@ -7,6 +7,13 @@
 namespace Thalweg
 {
   template <int dim>
+  SingleFluidPfem2<dim>::SingleFluidPfem2()
+    : FlowMethod<dim>(/*computes_flow=*/true)
+  {}
+
+
+
+  template <int dim>
   void
   SingleFluidPfem2<dim>::declare_parameters(const Section &section)
   {
@@ -57,7 +64,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::check() const
+  SingleFluidPfem2<dim>::check_parameters() const
   {
     flow_parameters.check();
   }
@@ -82,13 +89,12 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::attach(const Parts<dim> &parts_)
+  SingleFluidPfem2<dim>::attach_fields()
   {
-    AssertThrow(parts_.fluids.size() == 1,
+    AssertThrow(parts->fluids.size() == 1,
                 dealii::ExcMessage(
                   "The method 'single fluid pfem2' is for one fluid: set "
                   "'Fluids/Number' to 1, or 'Method/Model' to 'pfem2'."));
-    parts   = std::make_unique<Parts<dim>>(parts_);
     numbers = std::make_unique<FlowStepNumbers<dim>>(parts->space,
                                                      parts->fluids,
                                                      fourier_limit());
@@ -109,12 +115,11 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::initialize(const dealii::Function<dim> &velocity,
-                                    const Vector &,
-                                    const Vector &initial_level_set)
+  SingleFluidPfem2<dim>::initialize_fields(
+    const typename InterfaceFlow<dim>::Start &start)
   {
-    level_set.copy_locally_owned_data_from(initial_level_set);
-    flow->initialize(velocity);
+    level_set.copy_locally_owned_data_from(start.nodal_level_set);
+    flow->initialize(*start.velocity);
     update();
   }
 
@@ -122,7 +127,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::keep(const State<dim> &state)
+  SingleFluidPfem2<dim>::keep_fields(const State<dim> &state)
   {
     flow->keep(state.enter("flow"));
     state.field("level set", parts->space, level_set, 1);
@@ -142,7 +147,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SingleFluidPfem2<dim>::repopulate()
+  SingleFluidPfem2<dim>::repopulate_cells()
   {
     repopulate_in_place(*parts, flow->space(), flow->velocity(), level_set);
   }

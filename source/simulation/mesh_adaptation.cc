@@ -2,8 +2,6 @@
 #include <thalweg/simulation/mesh_adaptation.h>
 #include <thalweg/transfer/mesh_transfer.h>
 
-#include <algorithm>
-
 namespace Thalweg
 {
   namespace
@@ -20,13 +18,13 @@ namespace Thalweg
     SimulationParameters<dim>                &parameters,
     Context                                  &context,
     Mesh<dim>                                &mesh,
-    SimulationParts<dim>                     &parts,
+    Method<dim>                              &method,
     const std::vector<Postprocessor<dim> *>  &postprocessors,
     const std::function<SolutionView<dim>()> &view)
     : parameters(parameters)
     , context(context)
     , mesh(mesh)
-    , parts(parts)
+    , method(method)
     , postprocessors(postprocessors)
     , view(view)
     , memory(parameters.memory(context.communicator))
@@ -70,10 +68,10 @@ namespace Thalweg
     for (unsigned int i = 0; i < n && mark(); ++i)
       {
         parameters.balance.count(view());
-        parts.clear_particles();
+        method.clear();
         mesh.triangulation().execute_coarsening_and_refinement();
         mesh.update();
-        parts.set_initial_state();
+        method.initialize();
       }
   }
 
@@ -83,7 +81,7 @@ namespace Thalweg
   void
   MeshAdaptation<dim>::keep(const State<dim> &state)
   {
-    parts.keep(state);
+    method.keep(state);
     const State<dim> means = state.with(Archive::nowhere());
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->keep(means);
@@ -105,13 +103,13 @@ namespace Thalweg
     }
     change();
     mesh.update();
-    parts.build();
+    method.attach();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->mesh_changed(view());
     const State<dim> state(values.reader());
     keep(state);
     transfer.unpack(state);
-    parts.update();
+    method.update();
   }
 
 
@@ -127,21 +125,17 @@ namespace Thalweg
                      refinement.must_adapt(view(), dt);
     bool has_changed = false;
     ready_for        = step;
-    const double n_particles =
-      is_wanted ? parts.particles().n_global_particles() : 0.;
     // A cell changes by one level at a time.
     for (unsigned int i = 0; i < most_levels_at_once && is_wanted && mark(dt);
          ++i)
       {
         carry(
           [&]() { mesh.triangulation().execute_coarsening_and_refinement(); });
-        parameters.method->repopulate();
+        method.repopulate();
         ++n_adaptations;
         has_changed = true;
         is_wanted   = refinement.must_adapt(view(), dt);
       }
-    if (has_changed)
-      n_new_particles += parts.particles().n_global_particles() - n_particles;
     if (has_changed || is_ready)
       return has_changed;
     if (parameters.mesh.partition->can_change() &&
@@ -169,10 +163,6 @@ namespace Thalweg
   MeshAdaptation<dim>::record()
   {
     auto &statistics = context.statistics;
-    // So that the numbers of particles add up from row to row.
-    statistics.add("particles added", std::max(n_new_particles, 0.));
-    statistics.add("particles removed", std::max(-n_new_particles, 0.));
-    n_new_particles = 0.;
     statistics.set("adaptations", n_adaptations);
     statistics.set("repartitionings", n_repartitionings);
     for (const auto &[name, value] :
@@ -189,7 +179,6 @@ namespace Thalweg
     archive.value("adaptations", n_adaptations);
     archive.value("repartitionings", n_repartitionings);
     archive.value("ready for", ready_for);
-    archive.value("new particles", n_new_particles);
   }
 
 

@@ -107,7 +107,7 @@ namespace Thalweg
       {
         const Section root(prm);
         program.declare(root);
-        parameters.declare(root);
+        parameters.declare(root, input);
       }
       std::vector<std::string> faults = input.apply(prm);
       Context                  context(communicator);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
 #include <thalweg/simulation/finite_state.h>
-#include <thalweg/simulation/flow_quantities.h>
 #include <thalweg/simulation/frame_record.h>
 #include <thalweg/simulation/simulation.h>
-#include <thalweg/simulation/statistics_columns.h>
 
 #include <cmath>
 
@@ -16,6 +14,7 @@ namespace Thalweg
                               Context                   &context,
                               const Settings            &settings)
     : parameters(parameters)
+    , method(*parameters.method)
     , context(context)
     , settings(settings)
     , checkpoints(context)
@@ -36,9 +35,19 @@ namespace Thalweg
   Simulation<dim>::make_adaptation()
   {
     adaptation = std::make_unique<MeshAdaptation<dim>>(
-      parameters, context, mesh, *parts, postprocessors, [this]() {
+      parameters, context, mesh, method, postprocessors, [this]() {
         return view();
       });
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::create_method()
+  {
+    parameters.forces.initialize(parameters.time.end_time());
+    method.create({context, mesh, parameters.forces});
   }
 
 
@@ -49,9 +58,9 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     mesh.create(parameters.mesh);
-    parts = std::make_unique<SimulationParts<dim>>(parameters, context, mesh);
+    create_method();
     make_adaptation();
-    parts->set_initial_state();
+    method.initialize();
     adaptation->adapt_to_initial_state();
   }
 
@@ -61,21 +70,11 @@ namespace Thalweg
   SolutionView<dim>
   Simulation<dim>::view() const
   {
-    return {mesh,
-            parts->nodes(),
-            parameters.fluids,
-            parts->particles(),
-            parameters.fluid_solver->velocity(),
-            parameters.fluid_solver->pressure(),
-            parts->phases().level_set(),
-            time,
-            last_dt,
-            parameters.method->velocity_time(time),
-            step,
-            parameters.time.end_time(),
-            parameters.time.is_over(time, step),
-            parameters.method->flow_fields(),
-            parts->dispersed_phase() ? &parts->dispersed() : nullptr};
+    return method.view({time,
+                        last_dt,
+                        step,
+                        parameters.time.end_time(),
+                        parameters.time.is_over(time, step)});
   }
 
 
@@ -95,7 +94,7 @@ namespace Thalweg
   void
   Simulation<dim>::choose_step()
   {
-    numbers = parameters.method->step_numbers();
+    numbers = method.step_numbers();
     plan    = parameters.time.next_step(time, numbers, wanted_dt, last_dt);
     dt      = plan.size;
     check_courant_number();
@@ -107,8 +106,10 @@ namespace Thalweg
   void
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
-    context.statistics.declare(leading_columns());
-    context.has_energy_budget = parameters.energy_budget;
+    std::vector<std::string> columns{"step", "time [s]", "dt [s]"};
+    for (const std::string &column : method.columns())
+      columns.push_back(column);
+    context.statistics.declare(columns);
     if (!context.output_directory.empty())
       on_root(context.communicator, [&]() {
         context.statistics.open(context.output_directory + "/statistics.csv",
@@ -123,13 +124,12 @@ namespace Thalweg
     postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
-        postprocessor->check(
-          {mesh, parameters.fluids, true, parameters.has_spray()});
+        postprocessor->check(method.outline(mesh, true));
         postprocessor->initialize(context, view());
       }
     if (context.resumed)
       load_state(checkpoint, values);
-    parts->check_flux_balance(time);
+    method.check_conditions(time);
     on_all(context.communicator, [&]() { check_finite(view()); });
     announce();
     if (!context.resumed)
@@ -142,24 +142,14 @@ namespace Thalweg
   void
   Simulation<dim>::record()
   {
-    auto                  &statistics = context.statistics;
-    const PhaseField<dim> &phase      = parts->phases();
+    auto &statistics = context.statistics;
     statistics.set("step", step);
     statistics.set("time [s]", time);
     statistics.set("dt [s]", dt);
     for (const StepNumber &number : numbers)
       statistics.set(number.name, number.rate * dt);
     statistics.set("cells", mesh.triangulation().n_global_active_cells());
-    statistics.set("dofs", parts->nodes().n_dofs());
-    statistics.set("volume 1 before shift [m^d]", phase.volume_before_shift());
-    statistics.set("volume 1 [m^d]", phase.volume());
-    statistics.set("volume 2 [m^d]", phase.total_volume() - phase.volume());
-    record_volumes();
-    statistics.set("level set shift", phase.shift());
-    statistics.set("velocity time [s]", parameters.method->velocity_time(time));
-    for (const auto &[name, value] :
-         flow_quantities(view(), phase, parameters.forces.gravity(time)))
-      statistics.set(name, value);
+    method.record(time);
     record_frame(parameters.forces.frame(), time, statistics);
     adaptation->record();
     for (const auto &[name, seconds] :

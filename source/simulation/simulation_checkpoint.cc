@@ -115,10 +115,9 @@ namespace Thalweg
     values.value("last step size", last_dt);
     values.value("wanted step size", wanted_dt);
     values.value("step", step);
-    watch.keep(values.enter("volume watch"));
     context.statistics.keep(values.enter("statistics"), context.log);
     adaptation->keep(values.enter("adaptation"));
-    parts->keep(state.enter("parts"));
+    method.keep(state.enter("method"));
     for (unsigned int i = 0; i < postprocessors.size(); ++i)
       {
         const std::string name =
@@ -146,7 +145,7 @@ namespace Thalweg
     saved_at   = std::chrono::steady_clock::now();
     const Archive    values;
     const State<dim> state(values);
-    parts->keep_constants(values.enter("constants"));
+    method.keep_constants(values.enter("constants"));
     keep(state);
     MeshTransfer<dim> transfer(mesh);
     CheckpointContent content;
@@ -221,14 +220,14 @@ namespace Thalweg
     mesh.create_to_load(parameters.mesh);
     check(checkpoint);
     mesh.load(parameters.mesh, saved_cells(context.communicator, checkpoint));
-    parts = std::make_unique<SimulationParts<dim>>(parameters, context, mesh);
+    create_method();
     make_adaptation();
     Archive values;
     with_name_of(checkpoint, [&]() {
       values = read_values(context.communicator, checkpoint);
-      parts->keep_constants(values.enter("constants"));
+      method.keep_constants(values.enter("constants"));
     });
-    parts->build();
+    method.attach();
     return values;
   }
 
@@ -268,7 +267,7 @@ namespace Thalweg
       cells = read_packed_cells(checkpoint, own.first, own.second);
     });
     with_name_of(checkpoint, [&]() { transfer.unpack_saved(state, cells); });
-    parts->update();
+    method.update();
     with_name_of(checkpoint, [&]() {
       on_all(context.communicator, [&]() { check_finite(view()); });
     });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What Simulation says before the first step, and what it checks in each.
 #include <thalweg/core/errors.h>
-#include <thalweg/simulation/missing_fluid.h>
 #include <thalweg/simulation/simulation.h>
 
 #include <cmath>
@@ -15,18 +14,12 @@ namespace Thalweg
   {
     context.log.line(
       std::to_string(mesh.triangulation().n_global_active_cells()) +
-      " cells, " + std::to_string(parts->nodes().n_dofs()) +
-      " degrees of freedom, " +
-      std::to_string(parts->particles().n_global_particles()) + " particles");
-    const std::string warning =
-      parameters.time.warning(parameters.method->step_numbers());
+      " cells, " + method.size());
+    const std::string warning = parameters.time.warning(method.step_numbers());
     if (!warning.empty())
       context.log.warning(warning);
-    std::string missing;
-    if (!context.resumed && parameters.method->computes_flow())
-      missing = missing_fluid(parts->particles(), parameters.fluids);
-    if (!missing.empty())
-      context.log.warning(missing);
+    if (!context.resumed)
+      method.warn_at_start();
   }
 
 

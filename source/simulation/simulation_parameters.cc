@@ -5,127 +5,29 @@ namespace Thalweg
 {
   template <int dim>
   void
-  SimulationParameters<dim>::declare(const Section &root)
+  SimulationParameters<dim>::declare(const Section       &root,
+                                     const ParameterFile &input)
   {
-    {
-      const Section section = root.enter("Method");
-      method.declare_parameters(section, "pfem2", "algorithm");
-    }
+    const std::string usual_method = "pfem2";
+    method.declare_parameters(root.enter("Method"), usual_method, "algorithm");
     mesh.declare(root);
     adaptive.declare_parameters(root);
     balance.declare_parameters(root);
     time.declare_parameters(root);
     checkpoint.declare_parameters(root);
-    fluids.declare_parameters(root);
     forces.declare_parameters(root);
-    {
-      const Section section = root.enter("Initial conditions");
-      section.add("Velocity",
-                  initial_velocity,
-                  "m/s",
-                  "A function of x, y and z with a semicolon between the "
-                  "components.",
-                  dealii::Patterns::Anything());
-      section.add("Level set",
-                  initial_level_set,
-                  "m",
-                  "A function of x, y and z that is negative in the first "
-                  "fluid and positive in the second. It need not be a "
-                  "distance: particles that carry one find it.",
-                  dealii::Patterns::Anything());
-    }
-    boundary_conditions.declare(root);
-    declare_particles(root.enter("Particles"));
-    {
-      const Section section = root.enter("Projection");
-      projection.declare_parameters(section,
-                                    "least squares",
-                                    "projection from particles to the mesh");
-    }
-    interface.declare(root);
-    {
-      const Section section = root.enter("Fluid solver");
-      fluid_solver.declare_parameters(section,
-                                      "fractional step",
-                                      "solver of the flow equations");
-    }
-    {
-      const Section section = root.enter("Statistics");
-      section.add("Energy budget",
-                  energy_budget,
-                  "",
-                  "Whether `statistics.csv` says what each part of a step does "
-                  "to the energy of particles and mesh, in columns that begin "
-                  "with `budget`; for two fluids.");
-    }
-    {
-      const Section section = root.enter("Postprocess");
-      postprocessors.declare_parameters(section, "postprocessors");
-    }
-  }
-
-
-
-  template <int dim>
-  void
-  SimulationParameters<dim>::declare_particles(const Section &section)
-  {
-    seeding.declare_parameters(section);
-    convection.declare_parameters(section);
-    population.declare_parameters(section);
-    section.add("Carry",
-                particles_carry,
-                "",
-                "What tells the fluids apart: the sign of the level set "
-                "(Eq. 69), or the distance from where it vanishes at the "
-                "start, which makes for a smoother interface and keeps the "
-                "volume better; or its value as it is, whatever that means "
-                "(a concentration).",
-                dealii::Patterns::Selection("sign|distance|value"));
-    section.add("Distance band",
-                distance_band,
-                "",
-                "At how many times the shortest edge of a particle's cell "
-                "the distance that it carries is cut off before it is "
-                "projected, where the flow has distorted distances: those "
-                "from farther away say nothing about the surface.",
-                dealii::Patterns::Double(0));
-    section.add("Spray",
-                spray,
-                "",
-                "What becomes of particles where the mesh shows the other "
-                "fluid, since drops, jets and bubbles are finer than its "
-                "cells: drops fly freely on parabolas and bubbles rise until "
-                "they are back in their own fluid (`ballistic`), or all are "
-                "carried by the fluid around them (`none`). `automatic` is "
-                "`ballistic` if the first fluid is at least a hundred times "
-                "as dense as the second. Where particles carry values that "
-                "are neither a sign nor a distance, there is none.",
-                dealii::Patterns::Selection("automatic|ballistic|none"));
-  }
-
-
-
-  template <int dim>
-  bool
-  SimulationParameters<dim>::has_spray() const
-  {
-    if (fluids.size() == 1 || !method->computes_flow() || spray == "none" ||
-        particles_carry == "value")
-      return false;
-    constexpr double as_in_a_vacuum = 100.;
-    return spray == "ballistic" ||
-           fluids[0].density >= as_in_a_vacuum * fluids[1].density;
+    // Names that are none are refused when the file is read.
+    Method<dim> *used = method.find(input.value("Method/Model", usual_method));
+    (used != nullptr ? used : method.find(usual_method))
+      ->declare_sections(root);
+    postprocessors.declare_parameters(root.enter("Postprocess"),
+                                      "postprocessors");
   }
 
 
 
   template void
-  SimulationParameters<2>::declare(const Section &);
-  template bool
-  SimulationParameters<2>::has_spray() const;
+  SimulationParameters<2>::declare(const Section &, const ParameterFile &);
   template void
-  SimulationParameters<3>::declare(const Section &);
-  template bool
-  SimulationParameters<3>::has_spray() const;
+  SimulationParameters<3>::declare(const Section &, const ParameterFile &);
 } // namespace Thalweg

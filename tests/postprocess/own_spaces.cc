@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/methods/flow_quantities.h>
 #include <thalweg/postprocess/flow_means.h>
-#include <thalweg/simulation/flow_quantities.h>
 
 #include "own_flow.h"
 #include "support/complaint.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/methods/missing_fluid.h>
 #include <thalweg/particles/seeding.h>
 #include <thalweg/simulation/finite_state.h>
-#include <thalweg/simulation/missing_fluid.h>
 
 #include <deal.II/base/function_lib.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
+#include <thalweg/methods/pfem2.h>
 
 #include <gtest/gtest.h>
 #include <vector>
@@ -21,76 +22,24 @@ namespace
 
 
   /// PFEM-2 whose third step fails twice, when it is all but over.
-  class Stumbling : public Method<2>
+  class Stumbling : public Pfem2<2>
   {
   public:
     static constexpr unsigned int first_failure = 2;
     static constexpr unsigned int n_failures    = 2;
 
     explicit Stumbling(std::vector<Start> &starts)
-      : inner(Registry<Method<2>>::entries().at("pfem2").make())
-      , starts(starts)
+      : starts(starts)
     {}
-
-    void
-    declare_parameters(const Section &section) override
-    {
-      inner->declare_parameters(section);
-    }
-
-    void
-    attach(const Parts<2> &parts_) override
-    {
-      parts = std::make_unique<Parts<2>>(parts_);
-      inner->attach(parts_);
-    }
-
-    void
-    initialize(const dealii::Function<2> &velocity,
-               const Vector              &initial_velocity,
-               const Vector              &initial_level_set) override
-    {
-      inner->initialize(velocity, initial_velocity, initial_level_set);
-    }
-
-    void
-    keep(const State<2> &state) override
-    {
-      inner->keep(state);
-    }
-
-    void
-    update() override
-    {
-      inner->update();
-    }
-
-    void
-    repopulate() override
-    {
-      inner->repopulate();
-    }
 
     void
     advance(const double time, const double dt) override
     {
       starts.push_back({time, dt, state()});
-      inner->advance(time, dt);
+      Pfem2<2>::advance(time, dt);
       const unsigned int n = starts.size() - 1;
       if (n >= first_failure && n < first_failure + n_failures)
         throw StepFailure("It stumbled.");
-    }
-
-    StepNumbers
-    step_numbers() const override
-    {
-      return inner->step_numbers();
-    }
-
-    std::string
-    headline() const override
-    {
-      return inner->headline();
     }
 
   private:
@@ -98,13 +47,12 @@ namespace
     std::vector<double>
     state() const
     {
-      std::vector<double> numbers;
+      const SolutionView<2> solution = view({});
+      std::vector<double>   numbers;
       for (const Vector *field :
-           {&parts->flow.velocity(), &parts->flow.pressure()})
+           {&solution.velocity, &solution.pressure, &solution.level_set})
         numbers.insert(numbers.end(), field->begin(), field->end());
-      const Vector &level_set = parts->phase.level_set();
-      numbers.insert(numbers.end(), level_set.begin(), level_set.end());
-      for (const auto &particle : parts->population.handler())
+      for (const auto &particle : solution.population.handler())
         {
           numbers.push_back(particle.get_id());
           for (unsigned int d = 0; d < 2; ++d)
@@ -115,9 +63,7 @@ namespace
       return numbers;
     }
 
-    std::unique_ptr<Method<2>> inner;
-    std::unique_ptr<Parts<2>>  parts;
-    std::vector<Start>        &starts;
+    std::vector<Start> &starts;
   };
 } // namespace
 

@@ -31,7 +31,7 @@ namespace
     const Thalweg::FlowFields<2> &
     flow() const
     {
-      return *run.parameters.method->flow_fields();
+      return *run.simulation->view().flow;
     }
 
     RunCase<2> run;

@@ -8,7 +8,7 @@ RunCase<dim>::RunCase(const std::string &text, const MPI_Comm communicator)
   context.log = Thalweg::Log(false);
   {
     const Thalweg::Section root(prm);
-    parameters.declare(root);
+    parameters.declare(root, Thalweg::ParameterFile(text, "the test's input"));
   }
   prm.parse_input_from_string(text);
   simulation = std::make_unique<Thalweg::Simulation<dim>>(communicator,

@@ -4,7 +4,7 @@
 
 #include <thalweg/core/compat_weights.h>
 #include <thalweg/core/section.h>
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 #include <string>
 #include <utility>

@@ -3,8 +3,8 @@
 #define thalweg_adaptation_refinement_criterion_h
 
 #include <thalweg/core/registry.h>
+#include <thalweg/methods/solution_view.h>
 #include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/solution_view.h>
 
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace Thalweg
 {
@@ -32,6 +33,11 @@ namespace Thalweg
   /// exceptions the message alone.
   std::string
   message_of(const std::exception &exception);
+
+  /// Does @p test, and appends the message of what it throws to @p faults.
+  void
+  collect_fault(std::vector<std::string>    &faults,
+                const std::function<void()> &test);
 
   /**
    * @brief Runs @p program and ends all processes if it fails anywhere.

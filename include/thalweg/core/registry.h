@@ -126,6 +126,14 @@ namespace Thalweg
       return models.at(name).get();
     }
 
+    /// The model called @p model_name, chosen or not; nullptr: there is none.
+    Interface *
+    find(const std::string &model_name) const
+    {
+      const auto model = models.find(model_name);
+      return model == models.end() ? nullptr : model->second.get();
+    }
+
     /// The chosen model's name.
     const std::string &
     model_name() const

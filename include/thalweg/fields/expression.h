@@ -28,6 +28,11 @@ namespace Thalweg
                    const unsigned int n_components,
                    const std::string &where);
 
+  /// Whether parse_expression() has no objection.
+  template <int dim>
+  bool
+  is_expression(const std::string &text, const unsigned int n_components);
+
   /**
    * @brief As long as it lives, expressions that are no finite number yield 0
    * and it remembers the first of them, so that what is under way comes to an

@@ -2,8 +2,8 @@
 #ifndef thalweg_methods_advection_h
 #define thalweg_methods_advection_h
 
-#include <thalweg/methods/flow_step_numbers.h>
-#include <thalweg/methods/method.h>
+
+#include <thalweg/methods/flow_method.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -14,37 +14,16 @@ namespace Thalweg
    * measure convection alone.
    */
   template <int dim>
-  class Advection : public Method<dim>
+  class Advection : public FlowMethod<dim>
   {
   public:
+    Advection();
+
     void
     declare_parameters(const Section &section) override;
 
     void
-    check() const override;
-
-    bool
-    computes_flow() const override
-    {
-      return false;
-    }
-
-    void
-    attach(const Parts<dim> &parts) override;
-
-    void
-    initialize(const dealii::Function<dim> &velocity,
-               const Vector                &initial_velocity,
-               const Vector                &initial_level_set) override;
-
-    void
-    keep(const State<dim> &state) override;
-
-    void
     update() override;
-
-    void
-    repopulate() override;
 
     void
     advance(const double time, const double dt) override;
@@ -55,13 +34,24 @@ namespace Thalweg
       return numbers->of(convecting_velocity);
     }
 
-    std::string
-    headline() const override
-    {
-      return count_particles(*parts);
-    }
-
   private:
+    using FlowMethod<dim>::parts;
+
+    void
+    check_parameters() const override;
+
+    void
+    attach_fields() override;
+
+    void
+    initialize_fields(const typename InterfaceFlow<dim>::Start &start) override;
+
+    void
+    keep_fields(const State<dim> &state) override;
+
+    void
+    repopulate_cells() override;
+
     std::unique_ptr<dealii::FunctionParser<dim>>
     parse() const;
 
@@ -71,7 +61,6 @@ namespace Thalweg
 
     std::string                                  expression;
     std::unique_ptr<dealii::FunctionParser<dim>> function;
-    std::unique_ptr<Parts<dim>>                  parts;
     std::unique_ptr<FlowStepNumbers<dim>>        numbers;
     Vector                                       convecting_velocity;
     Vector                                       projected_velocity;

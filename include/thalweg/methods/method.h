@@ -5,47 +5,32 @@
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/core/step_number.h>
-#include <thalweg/fields/boundary_nodes.h>
-#include <thalweg/fields/flow_fields.h>
 #include <thalweg/fields/state.h>
-#include <thalweg/fluid/fluid_solver.h>
-#include <thalweg/interface/phase_field.h>
-#include <thalweg/particles/boundary_exchange.h>
-#include <thalweg/particles/dispersed_phase.h>
-#include <thalweg/particles/path_convection.h>
-#include <thalweg/particles/population_control.h>
-#include <thalweg/particles/streamline_convection.h>
-#include <thalweg/transfer/projection.h>
+#include <thalweg/fluid/body_forces.h>
+#include <thalweg/methods/solution_view.h>
 
 #include <string>
+#include <vector>
 
 namespace Thalweg
 {
-  /// The parts that a method plays on.
+  /// What all methods of a run stand on.
   template <int dim>
-  struct Parts
+  struct Host
   {
-    Context                         &context;
-    const Mesh<dim>                 &mesh;
-    const NodeSpace<dim>            &space;
-    const Fluids                    &fluids;
-    BodyForces<dim>                 &forces;
-    BoundaryConditions<dim>         &conditions;
-    const BoundaryNodes<dim>        &boundary;
-    Population<dim>                 &population;
-    const StreamlineConvection<dim> &convection;
-    const PopulationControl<dim>    &control;
-    const Projection<dim>           &projection;
-    PhaseField<dim>                 &phase;
-    FluidSolver<dim>                &flow;
-    const PathConvection<dim>       &paths;
-    BoundaryExchange<dim>           &exchange;
-    DispersedPhase<dim>             *dispersed; ///< nullptr without
+    Context         &context;
+    Mesh<dim>       &mesh;
+    BodyForces<dim> &forces;
   };
 
   /**
-   * @brief An algorithm that advances the solution by one time step;
-   * registered under "Method".
+   * @brief Something that advances its part of the solution by one time step,
+   * and owns all that this part consists of; registered under "Method".
+   *
+   * Of its life: the sections of the input are declared, read and checked;
+   * with create() there is a mesh, with attach() all that stands on it,
+   * which is made anew for each mesh and filled by initialize() or from a
+   * state.
    */
   template <int dim>
   class Method
@@ -53,131 +38,116 @@ namespace Thalweg
   public:
     virtual ~Method() = default;
 
+    /// Declares what no other method has, in a section of its own.
     virtual void
     declare_parameters(const Section &section) = 0;
 
-    /// Looks at the parameters before anything is built.
-    /// @throws dealii::ExcMessage if they cannot be used
+    /// Declares the sections that describe what the method moves. Called for
+    /// methods that are used, after declare_parameters().
+    /// @param sections where they stand
     virtual void
-    check() const
-    {}
+    declare_sections(const Section &sections) = 0;
 
-    /// Whether the method computes the flow, so that given velocities must
-    /// suit an incompressible fluid.
-    virtual bool
-    computes_flow() const
-    {
-      return true;
-    }
-
-    /// Whether the method can say where energy goes.
-    virtual bool
-    has_energy_budget() const
-    {
-      return false;
-    }
-
-    /**
-     * @brief Sets up for the present mesh, with zero fields; once for each
-     * mesh.
-     * @param parts must outlive the method, or its next attach()
-     */
+    /// Appends what is wrong with the parameters to @p faults, as far as that
+    /// is seen without a mesh.
     virtual void
-    attach(const Parts<dim> &parts) = 0;
+    check(std::vector<std::string> &faults) const = 0;
 
-    /**
-     * @brief Prepares the first step.
-     * @param velocity at the start, m/s
-     * @param initial_velocity the same at the nodes, ghosted
-     * @param initial_level_set ghosted
-     */
+    /// The same for what is seen on the coarse mesh.
     virtual void
-    initialize(const dealii::Function<dim> &velocity,
-               const Vector                &initial_velocity,
-               const Vector                &initial_level_set) = 0;
+    check_on_mesh(const Mesh<dim>          &coarse,
+                  std::vector<std::string> &faults) const = 0;
+
+    /// What is suspicious in parameters without faults, on the coarse mesh.
+    /// @param n_cells of the mesh before it adapts, about
+    virtual std::vector<std::string>
+    warnings(const Mesh<dim> &coarse, const double n_cells) const = 0;
+
+    /// About how many particles a cell has.
+    virtual double
+    particles_per_cell() const = 0;
+
+    /// What others may know before the run.
+    /// @param fills_domain see RunOutline
+    virtual RunOutline<dim>
+    outline(const Mesh<dim> &mesh, const bool fills_domain) const = 0;
+
+    /// Once a run, when the mesh exists. @param host must outlive the method
+    virtual void
+    create(const Host<dim> &host) = 0;
+
+    /// Sets up for the present mesh, with zero fields; once for each mesh. What
+    /// sits in cells stays. Collective.
+    virtual void
+    attach() = 0;
+
+    /// Attaches, and makes the state at the start. Collective.
+    virtual void
+    initialize() = 0;
+
+    /// Removes all that sits in cells.
+    virtual void
+    clear() = 0;
+
+    /// Names what attach() must know of the first mesh.
+    virtual void
+    keep_constants(const Archive &archive) = 0;
 
     /// Names what the next step starts from.
     virtual void
     keep(const State<dim> &state) = 0;
 
     /// Finds what follows from the state, when that was carried to another
-    /// mesh or restored.
+    /// mesh or restored. Collective.
     virtual void
     update() = 0;
 
-    /// Adds and removes particles where the mesh has changed.
+    /// Adds and removes particles where the mesh has changed. Collective.
     virtual void
     repopulate() = 0;
 
-    /// From @p time to @p time + @p dt, in s. @throws StepFailure
+    /// Whether the conditions of the problem can be met at @p time, in s.
+    /// Collective. @throws dealii::ExcMessage if not
     virtual void
-    advance(const double time, const double dt) = 0;
+    check_conditions(const double time) const = 0;
 
-    /// The time of the flow's velocity, in s, when the last step has ended
-    /// at @p time: later where velocities are staggered.
-    virtual double
-    velocity_time(const double time) const
-    {
-      return time;
-    }
+    /// The same at the end of a step, if it may differ from that before.
+    virtual void
+    check_conditions_of_step(const double end) const = 0;
 
     /// What bounds the size of the next step. Collective.
     virtual StepNumbers
     step_numbers() const = 0;
 
-    /// What the line of a step says of the method.
+    /// From @p time to @p time + @p dt, in s. @throws StepFailure
+    virtual void
+    advance(const double time, const double dt) = 0;
+
+    /// The solution as those see it who only look.
+    virtual SolutionView<dim>
+    view(const Moment &moment) const = 0;
+
+    /// The columns of the statistics with which the method's begin.
+    virtual std::vector<std::string>
+    columns() const = 0;
+
+    /// Writes what there is to say of a step that ended at @p time into the
+    /// statistics. Collective.
+    virtual void
+    record(const double time) = 0;
+
+    /// What the method consists of, for the log. Collective.
+    virtual std::string
+    size() const = 0;
+
+    /// Says what is suspicious at the start. Collective.
+    virtual void
+    warn_at_start() const = 0;
+
+    /// What the line of a step says of the method. Collective.
     virtual std::string
     headline() const = 0;
-
-    /// The flow in spaces of the method's own, nullptr if it has none.
-    virtual const FlowFields<dim> *
-    flow_fields() const
-    {
-      return nullptr;
-    }
   };
-
-  /**
-   * @brief Fills empty cells with particles that have @p velocity and
-   * @p level_set where they stand, and thins crowded ones; for
-   * Method::repopulate(). Collective.
-   * @param velocity_space, velocity in m/s, ghosted
-   * @param level_set at the nodes of Parts::space, ghosted
-   */
-  template <int dim>
-  void
-  repopulate_in_place(const Parts<dim>         &parts,
-                      const LagrangeSpace<dim> &velocity_space,
-                      const Vector             &velocity,
-                      const Vector             &level_set);
-
-  /// Lets fluid in and out through the boundaries after the particles were
-  /// moved, if there are two fluids. Collective.
-  /// @param velocity with which they moved, ghosted, m/s
-  /// @param cell_velocity the same cell by cell
-  /// @param middle of the step, s
-  /// @return the number of new particles on this rank
-  template <int dim>
-  unsigned int
-  pass_boundaries(const Parts<dim>        &parts,
-                  const ConvectionReport  &report,
-                  const Vector            &velocity,
-                  const CellVelocity<dim> &cell_velocity,
-                  const double             middle,
-                  const double             dt);
-
-  /// How many particles there are, for Method::headline().
-  template <int dim>
-  std::string
-  count_particles(const Parts<dim> &parts);
-
-  /// Writes what convection and population control did into the statistics.
-  template <int dim>
-  void
-  record_particles(const Parts<dim>       &parts,
-                   const ConvectionReport &report,
-                   const unsigned int      n_added,
-                   const unsigned int      n_removed);
 } // namespace Thalweg
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef thalweg_methods_particle_budget_h
 #define thalweg_methods_particle_budget_h
 
-#include <thalweg/methods/method.h>
+#include <thalweg/methods/parts.h>
 
 #include <array>
 #include <string>

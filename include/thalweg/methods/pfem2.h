@@ -3,8 +3,7 @@
 #define thalweg_methods_pfem2_h
 
 #include <thalweg/methods/convected_change.h>
-#include <thalweg/methods/flow_step_numbers.h>
-#include <thalweg/methods/method.h>
+#include <thalweg/methods/flow_method.h>
 #include <thalweg/methods/particle_budget.h>
 #include <thalweg/transfer/carried_distance.h>
 
@@ -15,43 +14,19 @@ namespace Thalweg
    * and phase along the streamlines, the mesh solves what remains.
    */
   template <int dim>
-  class Pfem2 : public Method<dim>
+  class Pfem2 : public FlowMethod<dim>
   {
   public:
+    Pfem2();
+
     void
     declare_parameters(const Section &section) override;
-
-    bool
-    has_energy_budget() const override
-    {
-      return true;
-    }
-
-    void
-    attach(const Parts<dim> &parts) override;
-
-    void
-    initialize(const dealii::Function<dim> &velocity,
-               const Vector                &initial_velocity,
-               const Vector                &initial_level_set) override;
-
-    void
-    keep(const State<dim> &state) override;
 
     void
     update() override;
 
     void
-    repopulate() override;
-
-    void
     advance(const double time, const double dt) override;
-
-    double
-    velocity_time(const double) const override
-    {
-      return flow_time;
-    }
 
     StepNumbers
     step_numbers() const override
@@ -59,13 +34,33 @@ namespace Thalweg
       return numbers->of(convecting_velocity);
     }
 
-    std::string
-    headline() const override
+  private:
+    using FlowMethod<dim>::parts;
+
+    void
+    attach_fields() override;
+
+    void
+    initialize_fields(const typename InterfaceFlow<dim>::Start &start) override;
+
+    void
+    keep_fields(const State<dim> &state) override;
+
+    void
+    repopulate_cells() override;
+
+    bool
+    has_energy_budget() const override
     {
-      return count_particles(*parts);
+      return true;
     }
 
-  private:
+    double
+    velocity_time(const double) const override
+    {
+      return flow_time;
+    }
+
     /// Accelerates the particles with what acts on them where they are, as
     /// far as the time integration takes this from the step's beginning.
     void
@@ -149,7 +144,6 @@ namespace Thalweg
 
     std::string time_integration = "staggered";
 
-    std::unique_ptr<Parts<dim>>           parts;
     std::unique_ptr<FlowStepNumbers<dim>> numbers;
     std::unique_ptr<ParticleBudget<dim>>  budget;
     std::unique_ptr<CarriedDistance<dim>> carried_distance;

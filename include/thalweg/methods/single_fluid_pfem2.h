@@ -3,8 +3,7 @@
 #define thalweg_methods_single_fluid_pfem2_h
 
 #include <thalweg/fluid/single_fluid_flow.h>
-#include <thalweg/methods/flow_step_numbers.h>
-#include <thalweg/methods/method.h>
+#include <thalweg/methods/flow_method.h>
 #include <thalweg/particles/population_snapshot.h>
 #include <thalweg/transfer/velocity_projection.h>
 
@@ -15,31 +14,16 @@ namespace Thalweg
    * streamlines (Eq. 81), of second order in space and time.
    */
   template <int dim>
-  class SingleFluidPfem2 : public Method<dim>
+  class SingleFluidPfem2 : public FlowMethod<dim>
   {
   public:
+    SingleFluidPfem2();
+
     void
     declare_parameters(const Section &section) override;
 
     void
-    check() const override;
-
-    void
-    attach(const Parts<dim> &parts) override;
-
-    void
-    initialize(const dealii::Function<dim> &velocity,
-               const Vector                &initial_velocity,
-               const Vector                &initial_level_set) override;
-
-    void
-    keep(const State<dim> &state) override;
-
-    void
     update() override;
-
-    void
-    repopulate() override;
 
     void
     advance(const double time, const double dt) override;
@@ -50,12 +34,6 @@ namespace Thalweg
       return numbers->of(parts->flow.velocity());
     }
 
-    std::string
-    headline() const override
-    {
-      return count_particles(*parts);
-    }
-
     const FlowFields<dim> *
     flow_fields() const override
     {
@@ -63,6 +41,23 @@ namespace Thalweg
     }
 
   private:
+    using FlowMethod<dim>::parts;
+
+    void
+    check_parameters() const override;
+
+    void
+    attach_fields() override;
+
+    void
+    initialize_fields(const typename InterfaceFlow<dim>::Start &start) override;
+
+    void
+    keep_fields(const State<dim> &state) override;
+
+    void
+    repopulate_cells() override;
+
     /// The largest Fourier number with which steps are stable (Eq. 65).
     double
     fourier_limit() const;
@@ -91,7 +86,6 @@ namespace Thalweg
     SingleFluidFlowParameters<dim>  flow_parameters;
     Choice<VelocityProjection<dim>> projection;
 
-    std::unique_ptr<Parts<dim>>           parts;
     std::unique_ptr<FlowStepNumbers<dim>> numbers;
     std::unique_ptr<SingleFluidFlow<dim>> flow;
     Vector                                level_set;

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_flow_access_h
 #define thalweg_postprocess_flow_access_h
 
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_phase_extent_h
 #define thalweg_postprocess_phase_extent_h
 
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 #include <limits>
 

@@ -5,24 +5,10 @@
 #include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/state.h>
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 namespace Thalweg
 {
-  /// What is known of a run before it begins.
-  template <int dim>
-  struct RunOutline
-  {
-    /// The mesh, or a coarser one of the same domain.
-    const Mesh<dim> &mesh;
-    const Fluids    &fluids;
-    /// Whether the mesh fills the domain exactly; a coarse one with curved
-    /// sides does not.
-    bool fills_domain = true;
-    /// Whether there can be drops and bubbles, see SolutionView.
-    bool has_dispersed = true;
-  };
-
   /**
    * @brief Something that looks at the solution after a step and writes what
    * it sees; it changes nothing.

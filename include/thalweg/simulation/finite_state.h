@@ -2,7 +2,7 @@
 #ifndef thalweg_simulation_finite_state_h
 #define thalweg_simulation_finite_state_h
 
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 namespace Thalweg
 {

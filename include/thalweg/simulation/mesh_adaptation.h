@@ -2,7 +2,7 @@
 #ifndef thalweg_simulation_mesh_adaptation_h
 #define thalweg_simulation_mesh_adaptation_h
 
-#include <thalweg/simulation/simulation_parts.h>
+#include <thalweg/simulation/simulation_parameters.h>
 
 #include <boost/signals2/connection.hpp>
 #include <functional>
@@ -23,7 +23,7 @@ namespace Thalweg
     MeshAdaptation(SimulationParameters<dim>                &parameters,
                    Context                                  &context,
                    Mesh<dim>                                &mesh,
-                   SimulationParts<dim>                     &parts,
+                   Method<dim>                              &method,
                    const std::vector<Postprocessor<dim> *>  &postprocessors,
                    const std::function<SolutionView<dim>()> &view);
 
@@ -66,22 +66,20 @@ namespace Thalweg
     void
     carry(const std::function<void()> &change);
 
-    /// Names all fields, with the values of the parts.
+    /// Names all fields, with the values of the method.
     void
     keep(const State<dim> &state);
 
     SimulationParameters<dim>               &parameters;
     Context                                 &context;
     Mesh<dim>                               &mesh;
-    SimulationParts<dim>                    &parts;
+    Method<dim>                             &method;
     const std::vector<Postprocessor<dim> *> &postprocessors;
     const std::function<SolutionView<dim>()> view;
     const MemoryEstimate                     memory;
     boost::signals2::scoped_connection       weights;
     unsigned int                             n_adaptations     = 0;
     unsigned int                             n_repartitionings = 0;
-    /// By how many the particles became more before the present step.
-    double n_new_particles = 0.;
     /// The mesh is ready for the step behind so many: a run that goes on from
     /// where this step failed does not adapt twice.
     unsigned int ready_for = dealii::numbers::invalid_unsigned_int;

@@ -6,10 +6,9 @@
 #include <thalweg/simulation/checkpoint_store.h>
 #include <thalweg/simulation/mesh_adaptation.h>
 #include <thalweg/simulation/progress.h>
-#include <thalweg/simulation/simulation_parts.h>
+#include <thalweg/simulation/simulation_parameters.h>
 #include <thalweg/simulation/step_snapshot.h>
 #include <thalweg/simulation/stop_signals.h>
-#include <thalweg/simulation/volume_watch.h>
 
 #include <chrono>
 #include <map>
@@ -64,7 +63,12 @@ namespace Thalweg
     void
     make_adaptation();
 
-    /// Makes mesh and parts of a checkpoint, but not yet its state.
+    /// Lets the method know the mesh.
+    void
+    create_method();
+
+    /// Makes the mesh of a checkpoint and what stands on it, but not yet its
+    /// state.
     /// @return the values of the checkpoint
     Archive
     load_mesh(const CheckpointOutline &checkpoint);
@@ -167,11 +171,8 @@ namespace Thalweg
     void
     record();
 
-    /// What there is of both fluids, on particles and on the mesh.
-    void
-    record_volumes();
-
     SimulationParameters<dim>        &parameters;
+    Method<dim>                      &method;
     Context                          &context;
     const Settings                    settings;
     CheckpointStore                   checkpoints;
@@ -187,9 +188,7 @@ namespace Thalweg
     double            dt = 0.;
     StepNumbers       numbers;
     Progress          progress;
-    VolumeWatch       watch;
 
-    std::unique_ptr<SimulationParts<dim>> parts;
     std::unique_ptr<MeshAdaptation<dim>>  adaptation;
     StepSnapshot<dim>                     before_step;
     std::map<std::string, double>         timer_totals;

@@ -4,8 +4,8 @@
 
 #include <thalweg/adaptation/adaptive_refinement.h>
 #include <thalweg/adaptation/load_balance.h>
+#include <thalweg/core/parameter_file.h>
 #include <thalweg/methods/method.h>
-#include <thalweg/particles/seeding.h>
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/simulation/checkpoint_parameters.h>
 #include <thalweg/simulation/memory_estimate.h>
@@ -21,14 +21,15 @@ namespace Thalweg
   struct SimulationParameters
   {
     /// Declares all sections.
+    /// @param input says which methods are used: only these have sections
     void
-    declare(const Section &root);
+    declare(const Section &root, const ParameterFile &input);
 
     /**
      * @brief Appends every fault that can be found without running to
-     * @p faults: fluids, expressions, times, whether there is memory for the
-     * cells, and on the coarse mesh boundary names and what the postprocessors
-     * look at. Collective.
+     * @p faults: times, expressions, those of the method, whether there is
+     * memory for the cells, and on the coarse mesh boundary names and what the
+     * postprocessors look at. Collective.
      * @param communicator the processes of the run
      */
     void
@@ -41,7 +42,7 @@ namespace Thalweg
 
     /// What is suspicious in parameters without faults, without running: on
     /// the coarse mesh boundaries that lie on each other and, if
-    /// @p before_run, fluids that are nowhere; a run sees that itself.
+    /// @p before_run, what a run would see by itself.
     std::vector<std::string>
     warnings(const bool before_run) const;
 
@@ -59,20 +60,9 @@ namespace Thalweg
     check_on_mesh(const Mesh<dim>          &coarse,
                   std::vector<std::string> &faults) const;
 
-    /// @throws dealii::ExcMessage if the particles carry no fluid
-    void
-    check_distance_band() const;
-
     /// @throws dealii::ExcMessage if the mesh is to change and cannot
     void
     check_change() const;
-
-    void
-    declare_particles(const Section &section);
-
-    /// Whether what the mesh does not see moves by itself.
-    bool
-    has_spray() const;
 
     /// That a tank that turns has no periodic boundaries around its axis.
     void
@@ -83,26 +73,9 @@ namespace Thalweg
     LoadBalance<dim>            balance;
     CheckpointParameters        checkpoint;
     TimeControl                 time;
-    Fluids                      fluids;
     BodyForces<dim>             forces;
-    BoundaryConditionParameters boundary_conditions;
-    std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";
-    std::string initial_level_set = "1";
-    /// "sign" or "distance"
-    std::string particles_carry = "distance";
-    /// In smallest cell sizes: greater distances are cut off there.
-    double                    distance_band = 1.;
-    SeedingParameters         seeding;
-    ConvectionParameters      convection;
-    PopulationParameters<dim> population;
-    /// "automatic", "ballistic" or "none"
-    std::string                 spray = "automatic";
-    InterfaceParameters         interface;
-    Choice<Projection<dim>>     projection;
-    Choice<FluidSolver<dim>>    fluid_solver;
     Choice<Method<dim>>         method;
     Choices<Postprocessor<dim>> postprocessors;
-    bool                        energy_budget = false;
   };
 } // namespace Thalweg
 

@@ -12,7 +12,7 @@ namespace Thalweg
 {
   namespace
   {
-    const std::string airfoil_model = "airfoil";
+    const std::string naca = "airfoil";
 
     /**
      * @brief The flow around an airfoil, meshed in the shape of a C.
@@ -174,19 +174,17 @@ namespace Thalweg
     void
     Airfoil<dim>::check() const
     {
-      Geometries::check_positive(chord, "Chord", airfoil_model);
-      Geometries::check_positive(width, "Width", airfoil_model);
-      Geometries::check_positive(outlet_length,
-                                 "Outlet cell length",
-                                 airfoil_model);
+      Geometries::check_positive(chord, "Chord", naca);
+      Geometries::check_positive(width, "Width", naca);
+      Geometries::check_positive(outlet_length, "Outlet cell length", naca);
       AssertThrow(far_field >= 2. && wake >= 1.,
                   dealii::ExcMessage(
-                    "The domain of the geometry '" + airfoil_model +
+                    "The domain of the geometry '" + naca +
                     "' is too small: 'Far field' must be at least 2 chords "
                     "and 'Wake length' at least 1."));
       AssertThrow(first_layer > 0. && first_layer * layers < far_field,
                   dealii::ExcMessage(
-                    "The 'First layer' of the geometry '" + airfoil_model +
+                    "The 'First layer' of the geometry '" + naca +
                     "' must be thicker than zero, and so thin that layers can "
                     "grow to the far field: less than " +
                     std::to_string(far_field / layers) + " chords."));
@@ -216,7 +214,7 @@ namespace Thalweg
       for (unsigned int i = 1; i <= cells_a_side; ++i)
         height = std::max(height, outline.rise(place(i - 1), place(i)));
       std::ostringstream message;
-      message << "In the geometry '" << airfoil_model << "' the outline rises "
+      message << "In the geometry '" << naca << "' the outline rises "
               << height / chord
               << " chords above the line between two coarse vertices, too much "
                  "for cells of "
@@ -385,7 +383,7 @@ namespace Thalweg
         Geometries::positions(
           0., std::vector<double>(span_cells, width / span_cells)),
         triangulation,
-        "The geometry '" + airfoil_model + "'");
+        "The geometry '" + naca + "'");
       attach_manifolds(triangulation, outline);
     }
   } // namespace

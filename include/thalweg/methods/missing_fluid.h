@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_simulation_missing_fluid_h
-#define thalweg_simulation_missing_fluid_h
+#ifndef thalweg_methods_missing_fluid_h
+#define thalweg_methods_missing_fluid_h
 
 #include <thalweg/materials/fluids.h>
 #include <thalweg/mesh/mesh.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/interface/sampled_volume.h>
-#include <thalweg/simulation/missing_fluid.h>
+#include <thalweg/methods/missing_fluid.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_simulation_volume_watch_h
-#define thalweg_simulation_volume_watch_h
+#ifndef thalweg_methods_volume_watch_h
+#define thalweg_methods_volume_watch_h
 
 #include <thalweg/core/archive.h>
 #include <thalweg/materials/fluids.h>

@@ -6,7 +6,7 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/interface/sampled_volume.h>
 #include <thalweg/interface/signed_distance.h>
-#include <thalweg/simulation/simulation_parts.h>
+#include <thalweg/methods/interface_flow.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,26 +64,24 @@ namespace Thalweg
 
 
   template <int dim>
-  SimulationParts<dim>::SimulationParts(SimulationParameters<dim> &parameters,
-                                        Context                   &context,
-                                        Mesh<dim>                 &mesh)
+  InterfaceFlow<dim>::InterfaceFlow(FlowParameters<dim> &parameters,
+                                    const Host<dim>     &host)
     : parameters(parameters)
-    , context(context)
-    , mesh(mesh)
+    , context(host.context)
+    , mesh(host.mesh)
+    , forces(host.forces)
     , conditions(parameters.boundary_conditions, mesh)
     , population(mesh)
     , dispersed_(mesh)
     , carried_population(population)
     , carried_dispersed(dispersed_)
   {
-    parameters.forces.initialize(parameters.time.end_time());
     parameters.population.level_set_is_sign =
       parameters.particles_carry == "sign";
     if (parameters.particles_carry == "distance")
       {
-        parameters.projection->band = parameters.distance_band;
-        parameters.projection->distances_are_kept =
-          parameters.method->computes_flow();
+        parameters.projection->band               = parameters.distance_band;
+        parameters.projection->distances_are_kept = parameters.computes_flow;
       }
     parameters.population.carry_volume = parameters.fluids.size() == 2;
   }
@@ -91,13 +89,13 @@ namespace Thalweg
 
 
   template <int dim>
-  SimulationParts<dim>::~SimulationParts() = default;
+  InterfaceFlow<dim>::~InterfaceFlow() = default;
 
 
 
   template <int dim>
   double
-  SimulationParts<dim>::find_carried_distance() const
+  InterfaceFlow<dim>::find_carried_distance() const
   {
     if (parameters.particles_carry == "sign")
       return 1.;
@@ -110,7 +108,7 @@ namespace Thalweg
 
   template <int dim>
   std::map<dealii::types::boundary_id, WallKind>
-  SimulationParts<dim>::walls() const
+  InterfaceFlow<dim>::walls() const
   {
     std::map<dealii::types::boundary_id, WallKind> walls;
     for (const auto &[id, condition] : conditions.all())
@@ -125,7 +123,7 @@ namespace Thalweg
 
   template <int dim>
   InflowLevelSet<dim>
-  SimulationParts<dim>::inflow() const
+  InterfaceFlow<dim>::inflow() const
   {
     const bool          sign_only = parameters.particles_carry == "sign";
     const double        band      = carried_distance;
@@ -155,7 +153,7 @@ namespace Thalweg
 
   template <int dim>
   std::vector<FluidVolumes>
-  SimulationParts<dim>::volumes_of_cells() const
+  InterfaceFlow<dim>::volumes_of_cells() const
   {
     auto volumes = population.volumes_of_cells();
     exchange->add_waiting(volumes);
@@ -166,10 +164,10 @@ namespace Thalweg
 
   template <int dim>
   std::vector<FluidVolumes>
-  SimulationParts<dim>::volumes_to_show() const
+  InterfaceFlow<dim>::volumes_to_show() const
   {
     auto volumes = volumes_of_cells();
-    if (!dispersed_phase_)
+    if (!dispersed_phase)
       return volumes;
     const auto drops = dispersed_.volumes_of_cells();
     for (unsigned int c = 0; c < volumes.size(); ++c)
@@ -180,26 +178,8 @@ namespace Thalweg
 
 
   template <int dim>
-  FluidVolumes
-  SimulationParts<dim>::carried_volumes() const
-  {
-    return sum_over_ranks(volumes_of_cells(), context.communicator);
-  }
-
-
-
-  template <int dim>
-  FluidVolumes
-  SimulationParts<dim>::dispersed_volumes() const
-  {
-    return dispersed_phase_ ? dispersed_phase_->volumes() : FluidVolumes();
-  }
-
-
-
-  template <int dim>
   void
-  SimulationParts<dim>::build()
+  InterfaceFlow<dim>::build()
   {
     if (carried_distance == 0)
       carried_distance = find_carried_distance();
@@ -209,13 +189,13 @@ namespace Thalweg
       mesh,
       parameters.convection,
       walls(),
-      parameters.method->computes_flow() ? VelocityShape::evenly_divergent
-                                         : VelocityShape::multilinear);
+      parameters.computes_flow ? VelocityShape::evenly_divergent
+                               : VelocityShape::multilinear);
     paths = std::make_unique<PathConvection<dim>>(mesh,
                                                   parameters.convection,
                                                   walls());
     if (parameters.has_spray())
-      dispersed_phase_ =
+      dispersed_phase =
         std::make_unique<DispersedPhase<dim>>(dispersed_,
                                               parameters.convection,
                                               walls());
@@ -234,30 +214,38 @@ namespace Thalweg
     if (parameters.fluids.size() == 2)
       phase->carry([this]() { return volumes_to_show(); }, *boundary);
     parameters.fluid_solver->initialize(
-      context, *space, *boundary, *phase, parameters.forces);
-    parameters.method->attach({context,
-                               mesh,
-                               *space,
-                               parameters.fluids,
-                               parameters.forces,
-                               conditions,
-                               *boundary,
-                               population,
-                               *convection,
-                               *control,
-                               *parameters.projection,
-                               *phase,
-                               *parameters.fluid_solver,
-                               *paths,
-                               *exchange,
-                               dispersed_phase_.get()});
+      context, *space, *boundary, *phase, forces);
+  }
+
+
+
+  template <int dim>
+  Parts<dim>
+  InterfaceFlow<dim>::parts()
+  {
+    return {context,
+            mesh,
+            *space,
+            parameters.fluids,
+            forces,
+            conditions,
+            *boundary,
+            population,
+            *convection,
+            *control,
+            *parameters.projection,
+            *phase,
+            *parameters.fluid_solver,
+            *paths,
+            *exchange,
+            dispersed_phase.get()};
   }
 
 
 
   template <int dim>
   std::function<double(const typename CellGraph<dim>::Cell &)>
-  SimulationParts<dim>::negative_volume(
+  InterfaceFlow<dim>::negative_volume(
     const dealii::Function<dim> &level_set) const
   {
     if (parameters.fluids.size() == 1)
@@ -271,7 +259,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SimulationParts<dim>::clear_particles()
+  InterfaceFlow<dim>::clear()
   {
     carried_population.clear();
     carried_dispersed.clear();
@@ -281,14 +269,22 @@ namespace Thalweg
 
   template <int dim>
   void
-  SimulationParts<dim>::set_initial_state()
+  InterfaceFlow<dim>::forget()
   {
     carried_distance = 0;
     phase.reset();
-    build();
-    const auto velocity = parse_expression<dim>(parameters.initial_velocity,
-                                                dim,
-                                                "Initial conditions/Velocity");
+  }
+
+
+
+  template <int dim>
+  typename InterfaceFlow<dim>::Start
+  InterfaceFlow<dim>::seed()
+  {
+    Start start;
+    start.velocity = parse_expression<dim>(parameters.initial_velocity,
+                                           dim,
+                                           "Initial conditions/Velocity");
     const auto expression =
       parse_expression<dim>(parameters.initial_level_set,
                             1,
@@ -304,33 +300,30 @@ namespace Thalweg
       dealii::Utilities::MPI::max<unsigned int>(searches, context.communicator)
         ? static_cast<const dealii::Function<dim> &>(distance)
         : *expression;
-    clear_particles();
-    seed(population,
-         parameters.seeding,
-         *velocity,
-         CarriedLevelSet<dim>(level_set, sign_only),
-         negative_volume(level_set));
+    clear();
+    Thalweg::seed(population,
+                  parameters.seeding,
+                  *start.velocity,
+                  CarriedLevelSet<dim>(level_set, sign_only),
+                  negative_volume(level_set));
     exchange->open_books(population);
 
-    Vector initial_velocity, initial_level_set;
-    space->initialize_velocity(initial_velocity);
-    space->initialize_scalar(initial_level_set);
-    interpolate_function(*space, *velocity, initial_velocity);
-    interpolate_function(*space, level_set, initial_level_set);
-    boundary->apply(initial_velocity);
-    space->interpolate(initial_velocity, dim);
-    parameters.method->initialize(*velocity,
-                                  initial_velocity,
-                                  initial_level_set);
+    space->initialize_velocity(start.nodal_velocity);
+    space->initialize_scalar(start.nodal_level_set);
+    interpolate_function(*space, *start.velocity, start.nodal_velocity);
+    interpolate_function(*space, level_set, start.nodal_level_set);
+    boundary->apply(start.nodal_velocity);
+    space->interpolate(start.nodal_velocity, dim);
+    return start;
   }
 
 
 
   template <int dim>
   void
-  SimulationParts<dim>::check_flux_balance(const double time) const
+  InterfaceFlow<dim>::check_flux_balance(const double time) const
   {
-    if (parameters.method->computes_flow())
+    if (parameters.computes_flow)
       Thalweg::check_flux_balance(conditions, mesh, time);
   }
 
@@ -338,7 +331,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SimulationParts<dim>::check_flux_balance_of_step(const double end) const
+  InterfaceFlow<dim>::check_flux_balance_of_step(const double end) const
   {
     if (conditions.has_transient_velocity())
       check_flux_balance(end);
@@ -348,7 +341,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  SimulationParts<dim>::keep_constants(const Archive &archive)
+  InterfaceFlow<dim>::keep_constants(const Archive &archive)
   {
     archive.value("carried distance", carried_distance);
     AssertThrow(carried_distance >= 0. && std::isfinite(carried_distance),
@@ -360,26 +353,17 @@ namespace Thalweg
 
   template <int dim>
   void
-  SimulationParts<dim>::keep(const State<dim> &state)
+  InterfaceFlow<dim>::keep(const State<dim> &state)
   {
     exchange->keep(state.values().enter("exchange"));
     population.keep(state.values().enter("particles"));
     state.carry("particles", carried_population);
     state.carry("drops and bubbles", carried_dispersed);
     parameters.fluid_solver->keep(state.enter("fluid solver"));
-    parameters.method->keep(state.enter("method"));
+    watch.keep(state.values().enter("volume watch"));
   }
 
 
 
-  template <int dim>
-  void
-  SimulationParts<dim>::update()
-  {
-    parameters.method->update();
-  }
-
-
-
-  THALWEG_INSTANTIATE(SimulationParts)
+  THALWEG_INSTANTIATE(InterfaceFlow)
 } // namespace Thalweg

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/simulation/volume_watch.h>
+#include <thalweg/methods/volume_watch.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/compat.h>
 #include <thalweg/fields/q1_integrals.h>
-#include <thalweg/simulation/flow_quantities.h>
+#include <thalweg/methods/flow_quantities.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

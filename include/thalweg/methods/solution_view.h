@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_postprocess_solution_view_h
-#define thalweg_postprocess_solution_view_h
+#ifndef thalweg_methods_solution_view_h
+#define thalweg_methods_solution_view_h
 
 #include <thalweg/fields/flow_fields.h>
 #include <thalweg/fields/node_space.h>
@@ -11,6 +11,34 @@
 
 namespace Thalweg
 {
+  /// How far a run is.
+  struct Moment
+  {
+    double       time      = 0.; ///< s
+    double       time_step = 0.; ///< s; 0 at the start
+    unsigned int step      = 0;
+    double       end_time  = 0.; ///< s
+    bool         last_step = false;
+  };
+
+
+
+  /// What is known of a run before it begins.
+  template <int dim>
+  struct RunOutline
+  {
+    /// The mesh, or a coarser one of the same domain.
+    const Mesh<dim> &mesh;
+    const Fluids    &fluids;
+    /// Whether the mesh fills the domain exactly; a coarse one with curved
+    /// sides does not.
+    bool fills_domain = true;
+    /// Whether there can be drops and bubbles, see SolutionView.
+    bool has_dispersed = true;
+  };
+
+
+
   /**
    * @brief The state of a run as those see it who only look.
    *

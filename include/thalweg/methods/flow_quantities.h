@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_simulation_flow_quantities_h
-#define thalweg_simulation_flow_quantities_h
+#ifndef thalweg_methods_flow_quantities_h
+#define thalweg_methods_flow_quantities_h
 
 #include <thalweg/interface/phase_field.h>
-#include <thalweg/postprocess/solution_view.h>
+#include <thalweg/methods/solution_view.h>
 
 #include <string>
 #include <utility>

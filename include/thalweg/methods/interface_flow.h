@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_simulation_simulation_parts_h
-#define thalweg_simulation_simulation_parts_h
+#ifndef thalweg_methods_interface_flow_h
+#define thalweg_methods_interface_flow_h
 
+#include <thalweg/methods/flow_parameters.h>
+#include <thalweg/methods/method.h>
+#include <thalweg/methods/parts.h>
+#include <thalweg/methods/volume_watch.h>
 #include <thalweg/particles/carried_population.h>
-#include <thalweg/simulation/simulation_parameters.h>
 
 #include <deal.II/base/function.h>
 
+#include <functional>
+#include <map>
 #include <memory>
+#include <vector>
 
 namespace Thalweg
 {
   /**
-   * @brief All that stands on the mesh: made anew for each mesh, with the
-   * same state.
+   * @brief One fluid or two with an interface, on particles and on the mesh:
+   * all that methods of such flows play on, made anew for each mesh.
    */
   template <int dim>
-  class SimulationParts
+  class InterfaceFlow
   {
   public:
-    /// All arguments must outlive the object; the mesh exists.
-    SimulationParts(SimulationParameters<dim> &parameters,
-                    Context                   &context,
-                    Mesh<dim>                 &mesh);
+    /// What a flow starts from.
+    struct Start
+    {
+      std::unique_ptr<dealii::Function<dim>> velocity;        ///< m/s
+      Vector                                 nodal_velocity;  ///< ghosted, m/s
+      Vector                                 nodal_level_set; ///< ghosted, m
+    };
 
-    ~SimulationParts();
+    /// Both must outlive the object; the mesh exists.
+    InterfaceFlow(FlowParameters<dim> &parameters, const Host<dim> &host);
+
+    ~InterfaceFlow();
 
     /**
      * @brief Makes everything but the particles anew on the present mesh,
@@ -33,14 +45,22 @@ namespace Thalweg
     void
     build();
 
+    /// What there is now; valid until the next build().
+    Parts<dim>
+    parts();
+
+    /// Forgets what is known of an earlier mesh, before build() for another
+    /// start.
+    void
+    forget();
+
     /// Removes all particles, drops and bubbles among them.
     void
-    clear_particles();
+    clear();
 
-    /// Builds, removes all particles, seeds new ones, and sets the state at
-    /// the start. Collective.
-    void
-    set_initial_state();
+    /// Removes all particles, and seeds those of the start. Collective.
+    Start
+    seed();
 
     /// Refuses given velocities that do not suit an incompressible fluid at
     /// @p time. Collective. @throws dealii::ExcMessage
@@ -60,28 +80,30 @@ namespace Thalweg
     void
     keep(const State<dim> &state);
 
-    /// Finds what follows from the state. Collective.
-    void
-    update();
+    /// The columns of the statistics with which those of a flow begin.
+    static std::vector<std::string>
+    columns();
 
-    Population<dim> &
-    particles()
+    /// Writes what there is of both fluids, on particles and on the mesh, at
+    /// @p time into the statistics, and warns of what is lost. Collective.
+    void
+    record_volumes(const double time);
+
+    /// Warns if a fluid is nowhere. Collective.
+    void
+    warn_at_start() const;
+
+    const Population<dim> &
+    particles() const
     {
       return population;
     }
 
-    /// Drops and bubbles, of which there may be none.
-    Population<dim> &
-    dispersed()
+    /// Drops and bubbles; nullptr where there can be none.
+    const Population<dim> *
+    dispersed() const
     {
-      return dispersed_;
-    }
-
-    /// What moves them; nullptr where there can be none.
-    const DispersedPhase<dim> *
-    dispersed_phase() const
-    {
-      return dispersed_phase_.get();
+      return dispersed_phase ? &dispersed_ : nullptr;
     }
 
     const NodeSpace<dim> &
@@ -96,24 +118,9 @@ namespace Thalweg
       return *phase;
     }
 
-    /// What of each fluid came in and went out.
-    const VolumeBooks &
-    books() const
-    {
-      return exchange->books();
-    }
-
-    /// What particles but drops and bubbles carry of both fluids, with what
-    /// waits at boundaries for new ones, m^dim. Collective.
-    FluidVolumes
-    carried_volumes() const;
-
-    /// What drops and bubbles carry, m^dim. Collective.
-    FluidVolumes
-    dispersed_volumes() const;
-
   private:
-    /// The same as carried_volumes() in each owned cell.
+    /// What particles but drops and bubbles carry of both fluids in each owned
+    /// cell, with what waits at boundaries for new ones, m^dim.
     std::vector<FluidVolumes>
     volumes_of_cells() const;
 
@@ -138,9 +145,10 @@ namespace Thalweg
     std::function<double(const typename CellGraph<dim>::Cell &)>
     negative_volume(const dealii::Function<dim> &level_set) const;
 
-    SimulationParameters<dim>                 &parameters;
+    FlowParameters<dim>                       &parameters;
     Context                                   &context;
     Mesh<dim>                                 &mesh;
+    BodyForces<dim>                           &forces;
     BoundaryConditions<dim>                    conditions;
     Population<dim>                            population;
     Population<dim>                            dispersed_;
@@ -151,10 +159,11 @@ namespace Thalweg
     std::unique_ptr<BoundaryNodes<dim>>        boundary;
     std::unique_ptr<StreamlineConvection<dim>> convection;
     std::unique_ptr<PathConvection<dim>>       paths;
-    std::unique_ptr<DispersedPhase<dim>>       dispersed_phase_;
+    std::unique_ptr<DispersedPhase<dim>>       dispersed_phase;
     std::unique_ptr<PopulationControl<dim>>    control;
     std::unique_ptr<BoundaryExchange<dim>>     exchange;
     std::unique_ptr<PhaseField<dim>>           phase;
+    VolumeWatch                                watch;
   };
 } // namespace Thalweg
 

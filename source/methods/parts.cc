@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/methods/method.h>
+#include <thalweg/methods/parts.h>
 #include <thalweg/transfer/feet_in_place.h>
 
 #include <cmath>
@@ -102,16 +102,6 @@ namespace Thalweg
 
 
   template <int dim>
-  std::string
-  count_particles(const Parts<dim> &parts)
-  {
-    return "particles = " +
-           std::to_string(parts.population.n_global_particles());
-  }
-
-
-
-  template <int dim>
   void
   record_particles(const Parts<dim>       &parts,
                    const ConvectionReport &local_report,
@@ -136,10 +126,6 @@ namespace Thalweg
 
 
 
-  template std::string
-  count_particles(const Parts<2> &);
-  template std::string
-  count_particles(const Parts<3> &);
   template void
   repopulate_in_place(const Parts<2> &,
                       const LagrangeSpace<2> &,

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_methods_flow_method_h
+#define thalweg_methods_flow_method_h
+
+#include <thalweg/methods/flow_step_numbers.h>
+#include <thalweg/methods/interface_flow.h>
+#include <thalweg/methods/method.h>
+
+namespace Thalweg
+{
+  /**
+   * @brief What methods of flows have in common: they play on an
+   * InterfaceFlow, and differ in the fields they add and in how they advance.
+   */
+  template <int dim>
+  class FlowMethod : public Method<dim>
+  {
+  public:
+    /// @param computes_flow whether the method does, so that given velocities
+    ///   must suit an incompressible fluid
+    explicit FlowMethod(const bool computes_flow);
+
+    /// The flow in spaces of the method's own, nullptr if it has none.
+    virtual const FlowFields<dim> *
+    flow_fields() const
+    {
+      return nullptr;
+    }
+
+    void
+    declare_sections(const Section &sections) final;
+
+    void
+    check(std::vector<std::string> &faults) const final;
+
+    void
+    check_on_mesh(const Mesh<dim>          &coarse,
+                  std::vector<std::string> &faults) const final;
+
+    std::vector<std::string>
+    warnings(const Mesh<dim> &coarse, const double n_cells) const final;
+
+    double
+    particles_per_cell() const final;
+
+    RunOutline<dim>
+    outline(const Mesh<dim> &mesh, const bool fills_domain) const final;
+
+    void
+    create(const Host<dim> &host) final;
+
+    void
+    attach() final;
+
+    void
+    initialize() final;
+
+    void
+    clear() final;
+
+    void
+    keep_constants(const Archive &archive) final;
+
+    void
+    keep(const State<dim> &state) final;
+
+    void
+    repopulate() final;
+
+    void
+    check_conditions(const double time) const final;
+
+    void
+    check_conditions_of_step(const double end) const final;
+
+    SolutionView<dim>
+    view(const Moment &moment) const final;
+
+    std::vector<std::string>
+    columns() const final;
+
+    void
+    record(const double time) final;
+
+    std::string
+    size() const final;
+
+    void
+    warn_at_start() const final;
+
+    std::string
+    headline() const final;
+
+  protected:
+    /// Checks the method's own parameters. @throws dealii::ExcMessage
+    virtual void
+    check_parameters() const
+    {}
+
+    /// Whether the method can say where energy goes.
+    virtual bool
+    has_energy_budget() const
+    {
+      return false;
+    }
+
+    /// Makes what the method adds to the parts, with zero fields.
+    virtual void
+    attach_fields() = 0;
+
+    /// Prepares the first step.
+    virtual void
+    initialize_fields(const typename InterfaceFlow<dim>::Start &start) = 0;
+
+    /// Names the method's own state.
+    virtual void
+    keep_fields(const State<dim> &state) = 0;
+
+    /// Fills empty cells and thins crowded ones where the mesh has changed.
+    virtual void
+    repopulate_cells() = 0;
+
+    /// The time of the flow's velocity, in s, when the last step has ended
+    /// at @p time: later where velocities are staggered.
+    virtual double
+    velocity_time(const double time) const
+    {
+      return time;
+    }
+
+    /// On the present mesh.
+    std::unique_ptr<Parts<dim>> parts;
+
+  private:
+    FlowParameters<dim>                 parameters;
+    std::unique_ptr<InterfaceFlow<dim>> flow;
+    /// By how many the particles became more before the present step.
+    double n_new_particles = 0.;
+  };
+} // namespace Thalweg
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
+#include <thalweg/methods/flow_method.h>
+#include <thalweg/methods/flow_quantities.h>
+
+#include <algorithm>
+
+namespace Thalweg
+{
+  template <int dim>
+  FlowMethod<dim>::FlowMethod(const bool computes_flow)
+    : parameters(computes_flow)
+  {}
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::declare_sections(const Section &sections)
+  {
+    parameters.declare(sections);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::check(std::vector<std::string> &faults) const
+  {
+    parameters.check(faults);
+    collect_fault(faults, [this]() { check_parameters(); });
+    collect_fault(faults, [this]() {
+      AssertThrow(!parameters.energy_budget ||
+                    (parameters.fluids.size() == 2 && has_energy_budget()),
+                  dealii::ExcMessage(
+                    "'Statistics/Energy budget' is for two fluids and the "
+                    "method 'pfem2'. Leave it out, or choose those."));
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::check_on_mesh(const Mesh<dim>          &coarse,
+                                 std::vector<std::string> &faults) const
+  {
+    parameters.check_on_mesh(coarse, faults);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  FlowMethod<dim>::warnings(const Mesh<dim> &coarse, const double n_cells) const
+  {
+    return {parameters.missing_fluid(coarse, n_cells)};
+  }
+
+
+
+  template <int dim>
+  double
+  FlowMethod<dim>::particles_per_cell() const
+  {
+    return parameters.particles_per_cell();
+  }
+
+
+
+  template <int dim>
+  RunOutline<dim>
+  FlowMethod<dim>::outline(const Mesh<dim> &mesh, const bool fills_domain) const
+  {
+    return {mesh, parameters.fluids, fills_domain, parameters.has_spray()};
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::create(const Host<dim> &host)
+  {
+    host.context.has_energy_budget = parameters.energy_budget;
+    flow = std::make_unique<InterfaceFlow<dim>>(parameters, host);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::attach()
+  {
+    flow->build();
+    parts = std::make_unique<Parts<dim>>(flow->parts());
+    attach_fields();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::initialize()
+  {
+    flow->forget();
+    attach();
+    initialize_fields(flow->seed());
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::clear()
+  {
+    flow->clear();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::keep_constants(const Archive &archive)
+  {
+    flow->keep_constants(archive);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::keep(const State<dim> &state)
+  {
+    state.values().value("new particles", n_new_particles);
+    flow->keep(state.enter("parts"));
+    keep_fields(state.enter("fields"));
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::repopulate()
+  {
+    const double before = parts->population.n_global_particles();
+    repopulate_cells();
+    n_new_particles += parts->population.n_global_particles() - before;
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::check_conditions(const double time) const
+  {
+    flow->check_flux_balance(time);
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::check_conditions_of_step(const double end) const
+  {
+    flow->check_flux_balance_of_step(end);
+  }
+
+
+
+  template <int dim>
+  SolutionView<dim>
+  FlowMethod<dim>::view(const Moment &moment) const
+  {
+    return {parts->mesh,
+            parts->space,
+            parts->fluids,
+            parts->population,
+            parts->flow.velocity(),
+            parts->flow.pressure(),
+            parts->phase.level_set(),
+            moment.time,
+            moment.time_step,
+            velocity_time(moment.time),
+            moment.step,
+            moment.end_time,
+            moment.last_step,
+            flow_fields(),
+            flow->dispersed()};
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  FlowMethod<dim>::columns() const
+  {
+    return InterfaceFlow<dim>::columns();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::record(const double time)
+  {
+    auto &statistics = parts->context.statistics;
+    statistics.set("dofs", parts->space.n_dofs());
+    statistics.set("velocity time [s]", velocity_time(time));
+    flow->record_volumes(time);
+    for (const auto &[name, value] : flow_quantities(
+           view({time}), parts->phase, parts->forces.gravity(time)))
+      statistics.set(name, value);
+    // So that the numbers of particles add up from row to row.
+    statistics.add("particles added", std::max(n_new_particles, 0.));
+    statistics.add("particles removed", std::max(-n_new_particles, 0.));
+    n_new_particles = 0.;
+  }
+
+
+
+  template <int dim>
+  std::string
+  FlowMethod<dim>::size() const
+  {
+    return std::to_string(parts->space.n_dofs()) + " degrees of freedom, " +
+           std::to_string(parts->population.n_global_particles()) +
+           " particles";
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::warn_at_start() const
+  {
+    flow->warn_at_start();
+  }
+
+
+
+  template <int dim>
+  std::string
+  FlowMethod<dim>::headline() const
+  {
+    return "particles = " +
+           std::to_string(parts->population.n_global_particles());
+  }
+
+
+
+  THALWEG_INSTANTIATE(FlowMethod)
+} // namespace Thalweg

@@ -260,7 +260,8 @@ namespace Thalweg
                                 const double             dt_next) const
   {
     const CellWishes wishes =
-      combined_wishes(solution, dt_next > 0. ? dt_next : solution.time_step);
+      combined_wishes(solution,
+                      dt_next > 0. ? dt_next : solution.moment.time_step);
     const CellGraph<dim>      &graph = mesh.graph();
     std::vector<unsigned char> level(graph.n_owned_cells());
     for (unsigned int c = 0; c < level.size(); ++c)

@@ -108,12 +108,15 @@ namespace Thalweg
                          const unsigned int       cell) const
   {
     Load load;
-    load.n_particles = solution.population.handler().n_particles_in_cell(
-      solution.mesh.graph().iterator(cell));
-    const auto phi = cell_level_set(solution, cell);
-    const auto [smallest, largest] =
-      std::minmax_element(phi.begin(), phi.end());
-    load.is_cut = *smallest < 0. && *largest >= 0.;
+    for (const auto &[name, flow] : solution.flows)
+      {
+        load.n_particles += flow.population.handler().n_particles_in_cell(
+          solution.mesh.graph().iterator(cell));
+        const auto phi = cell_level_set(flow, cell);
+        const auto [smallest, largest] =
+          std::minmax_element(phi.begin(), phi.end());
+        load.is_cut |= *smallest < 0. && *largest >= 0.;
+      }
     return load;
   }
 

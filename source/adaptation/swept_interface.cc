@@ -92,9 +92,9 @@ namespace Thalweg
     /// cell; nothing if there are none.
     template <int dim>
     Corners<dim>
-    strays_in_cell(const SolutionView<dim> &solution,
-                   const unsigned int       c,
-                   const bool               is_negative)
+    strays_in_cell(const FlowView<dim> &solution,
+                   const unsigned int   c,
+                   const bool           is_negative)
     {
       Corners<dim> box = nothing<dim>();
       for (const auto &particle :
@@ -110,7 +110,7 @@ namespace Thalweg
 
     template <int dim>
     dealii::Tensor<1, dim>
-    mean_velocity(const SolutionView<dim> &solution, const unsigned int cell)
+    mean_velocity(const FlowView<dim> &solution, const unsigned int cell)
     {
       const auto            &nodes = solution.space.nodes(cell);
       dealii::Tensor<1, dim> sum;
@@ -125,9 +125,9 @@ namespace Thalweg
     /// The boxes of this process's cut cells, with those along their way.
     template <int dim>
     std::vector<Corners<dim>>
-    own_pieces(const SolutionView<dim> &solution,
-               const LevelRange        &levels,
-               const double             time)
+    own_pieces(const FlowView<dim> &solution,
+               const LevelRange    &levels,
+               const double         time)
     {
       const CellGraph<dim>     &graph = solution.mesh.graph();
       std::vector<Corners<dim>> pieces;
@@ -260,10 +260,10 @@ namespace Thalweg
 
 
   template <int dim>
-  SweptInterface<dim>::SweptInterface(const SolutionView<dim> &solution,
-                                      const LevelRange        &levels,
-                                      const double             time,
-                                      const double             reach)
+  SweptInterface<dim>::SweptInterface(const FlowView<dim> &solution,
+                                      const LevelRange    &levels,
+                                      const double         time,
+                                      const double         reach)
     : tree(std::make_unique<Tree>())
   {
     if (solution.fluids.size() < 2)

@@ -55,12 +55,30 @@ namespace Thalweg
 
 
 
+  Statistics::Group::Group(Statistics &statistics, const std::string &name)
+    : statistics(statistics)
+    , outer_prefix(statistics.prefix)
+  {
+    if (!name.empty())
+      statistics.prefix += name + ": ";
+  }
+
+
+
+  Statistics::Group::~Group()
+  {
+    statistics.prefix = outer_prefix;
+  }
+
+
+
   void
   Statistics::set(const std::string &name, const double value)
   {
-    if (std::find(columns.begin(), columns.end(), name) == columns.end())
-      columns.push_back(name);
-    row[name] = value;
+    const std::string column = prefix + name;
+    if (std::find(columns.begin(), columns.end(), column) == columns.end())
+      columns.push_back(column);
+    row[column] = value;
   }
 
 
@@ -68,8 +86,19 @@ namespace Thalweg
   void
   Statistics::add(const std::string &name, const double value)
   {
-    const auto entry = row.find(name);
+    const auto entry = row.find(prefix + name);
     set(name, value + (entry == row.end() ? 0. : entry->second));
+  }
+
+
+
+  const double *
+  Statistics::find(const std::string &name) const
+  {
+    for (const auto *values : {&row, &last_row})
+      if (const auto entry = values->find(name); entry != values->end())
+        return &entry->second;
+    return nullptr;
   }
 
 
@@ -77,13 +106,10 @@ namespace Thalweg
   double
   Statistics::get(const std::string &name) const
   {
-    if (const auto entry = row.find(name); entry != row.end())
-      return entry->second;
-    const auto entry = last_row.find(name);
-    AssertThrow(entry != last_row.end(),
-                dealii::ExcMessage("The statistics have no column '" + name +
-                                   "'."));
-    return entry->second;
+    for (const std::string &column : {prefix + name, name})
+      if (const double *value = find(column))
+        return *value;
+    throw dealii::ExcMessage("The statistics have no column '" + name + "'.");
   }
 
 
@@ -91,7 +117,7 @@ namespace Thalweg
   bool
   Statistics::has(const std::string &name) const
   {
-    return row.count(name) + last_row.count(name) > 0;
+    return find(prefix + name) != nullptr || find(name) != nullptr;
   }
 
 

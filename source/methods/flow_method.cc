@@ -69,10 +69,25 @@ namespace Thalweg
 
 
   template <int dim>
-  RunOutline<dim>
-  FlowMethod<dim>::outline(const Mesh<dim> &mesh, const bool fills_domain) const
+  void
+  FlowMethod<dim>::publish(const std::string &name,
+                           RunOutline<dim>   &outline) const
   {
-    return {mesh, parameters.fluids, fills_domain, parameters.has_spray()};
+    outline.flows.add(name,
+                      {outline.mesh,
+                       parameters.fluids,
+                       outline.fills_domain,
+                       parameters.has_spray()});
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::publish(const std::string &name,
+                           SolutionView<dim> &solution) const
+  {
+    solution.flows.add(name, view(solution.moment));
   }
 
 
@@ -168,7 +183,7 @@ namespace Thalweg
 
 
   template <int dim>
-  SolutionView<dim>
+  FlowView<dim>
   FlowMethod<dim>::view(const Moment &moment) const
   {
     return {parts->mesh,

@@ -26,7 +26,7 @@ namespace Thalweg
     /// Lumped at the vertices, cut where the fluids meet.
     template <int dim>
     Quantities<dim>
-    sum_at_nodes(const SolutionView<dim>      &solution,
+    sum_at_nodes(const FlowView<dim>          &solution,
                  const PhaseField<dim>        &phase,
                  const dealii::Tensor<1, dim> &gravity)
     {
@@ -130,7 +130,7 @@ namespace Thalweg
 
   template <int dim>
   std::vector<std::pair<std::string, double>>
-  flow_quantities(const SolutionView<dim>      &solution,
+  flow_quantities(const FlowView<dim>          &solution,
                   const PhaseField<dim>        &phase,
                   const dealii::Tensor<1, dim> &gravity)
   {
@@ -158,11 +158,11 @@ namespace Thalweg
 
 
   template std::vector<std::pair<std::string, double>>
-  flow_quantities<2>(const SolutionView<2> &,
+  flow_quantities<2>(const FlowView<2> &,
                      const PhaseField<2> &,
                      const dealii::Tensor<1, 2> &);
   template std::vector<std::pair<std::string, double>>
-  flow_quantities<3>(const SolutionView<3> &,
+  flow_quantities<3>(const FlowView<3> &,
                      const PhaseField<3> &,
                      const dealii::Tensor<1, 3> &);
 } // namespace Thalweg

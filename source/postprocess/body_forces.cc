@@ -32,20 +32,22 @@ namespace Thalweg
 
     /// Drag, lift and moment of a body, and how they vary.
     template <int dim>
-    class ForcesOnBody : public Postprocessor<dim>
+    class ForcesOnBody : public FlowPostprocessor<dim>
     {
     public:
       void
-      declare_parameters(const Section &section) override;
+      declare_for_flow(const Section &section) override;
 
       void
-      check(const RunOutline<dim> &outline) const override;
+      check_for_flow(const FlowOutline<dim> &outline) const override;
 
       void
-      initialize(Context &context, const SolutionView<dim> &solution) override;
+      initialize_for_flow(Context             &context,
+                          const FlowView<dim> &solution) override;
 
       void
-      execute(Context &context, const SolutionView<dim> &solution) override;
+      execute_for_flow(Context             &context,
+                       const FlowView<dim> &solution) override;
 
       void
       keep(const State<dim> &state) override;
@@ -106,7 +108,7 @@ namespace Thalweg
 
     template <int dim>
     void
-    ForcesOnBody<dim>::declare_parameters(const Section &section)
+    ForcesOnBody<dim>::declare_for_flow(const Section &section)
     {
       section.add("Boundaries",
                   names,
@@ -166,7 +168,7 @@ namespace Thalweg
 
     template <int dim>
     void
-    ForcesOnBody<dim>::check(const RunOutline<dim> &outline) const
+    ForcesOnBody<dim>::check_for_flow(const FlowOutline<dim> &outline) const
     {
       AssertThrow(!names.empty(),
                   dealii::ExcMessage("'body forces' has no 'Boundaries'; name "
@@ -199,8 +201,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    ForcesOnBody<dim>::initialize(Context                 &context,
-                                  const SolutionView<dim> &solution)
+    ForcesOnBody<dim>::initialize_for_flow(Context             &context,
+                                           const FlowView<dim> &solution)
     {
       for (const std::string &name : names)
         ids.insert(solution.mesh.boundary_id(name));
@@ -258,8 +260,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    ForcesOnBody<dim>::execute(Context                 &context,
-                               const SolutionView<dim> &solution)
+    ForcesOnBody<dim>::execute_for_flow(Context             &context,
+                                        const FlowView<dim> &solution)
     {
       const FlowFields<dim>  flow   = flow_of(solution);
       const StressLoads<dim> stress = integrate_stresses(flow, ids, center);

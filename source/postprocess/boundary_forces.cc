@@ -18,7 +18,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         for (const std::string &name : names)
           outline.mesh.boundary_id(name);
@@ -36,7 +36,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &solution) override
+      columns(const FlowView<dim> &solution) override
       {
         if (names.empty())
           for (const auto &[name, id] : solution.mesh.boundary_names())
@@ -55,7 +55,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         const CellGraph<dim> &graph = solution.mesh.graph();
         std::vector<double>   values(2 * dim * names.size(), 0.);
@@ -78,10 +78,10 @@ namespace Thalweg
       /// Adds a face's pressure and viscous force, p n and -mu (grad v +
       /// grad v^T) n with n out of the fluid.
       static void
-      add_face(const SolutionView<dim> &solution,
-               const unsigned int       c,
-               const unsigned int       f,
-               double *const            forces)
+      add_face(const FlowView<dim> &solution,
+               const unsigned int   c,
+               const unsigned int   f,
+               double *const        forces)
       {
         static const Q1::Gauss<dim> gauss;
         const auto                 &nodes = solution.space.nodes(c);

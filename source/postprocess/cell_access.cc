@@ -21,7 +21,7 @@ namespace Thalweg
 
   template <int dim>
   std::array<double, (1 << dim)>
-  cell_level_set(const SolutionView<dim> &solution, const unsigned int cell)
+  cell_level_set(const FlowView<dim> &solution, const unsigned int cell)
   {
     if (solution.fluids.size() == 2)
       return gather<dim>(solution.level_set, solution.space.nodes(cell));
@@ -261,7 +261,7 @@ namespace Thalweg
     const std::string &,                                  \
     const double);                                        \
   template std::array<double, (1 << dim)> cell_level_set( \
-    const SolutionView<dim> &, const unsigned int);       \
+    const FlowView<dim> &, const unsigned int);           \
   template std::vector<LocatedPoint<dim>> locate(         \
     const Mesh<dim> &,                                    \
     const std::vector<dealii::Point<dim>> &,              \

@@ -18,7 +18,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(normal != vertical,
                     dealii::ExcMessage(
@@ -59,14 +59,14 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         return {"height [m]"};
       }
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         return {phase_extent(solution,
                              axis_number(vertical),

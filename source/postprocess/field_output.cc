@@ -19,7 +19,7 @@ namespace Thalweg
 
     private:
       void
-      write(Context &context, const SolutionView<dim> &solution) override
+      write(Context &context, const FlowView<dim> &solution) override
       {
         using namespace dealii::DataComponentInterpretation;
         const Vector          density = nodal_density(solution);
@@ -49,7 +49,7 @@ namespace Thalweg
 
       /// The density of the fluid at each node.
       static Vector
-      nodal_density(const SolutionView<dim> &solution)
+      nodal_density(const FlowView<dim> &solution)
       {
         Vector density;
         solution.space.initialize_scalar(density);

@@ -10,7 +10,7 @@ namespace Thalweg
 {
   template <int dim>
   FlowFields<dim>
-  flow_of(const SolutionView<dim> &solution)
+  flow_of(const FlowView<dim> &solution)
   {
     if (solution.flow != nullptr)
       return *solution.flow;
@@ -62,7 +62,7 @@ namespace Thalweg
 
   template <int dim>
   std::vector<PointValue<dim>>
-  evaluate_at(const SolutionView<dim>               &solution,
+  evaluate_at(const FlowView<dim>                   &solution,
               const std::vector<dealii::Point<dim>> &points,
               const std::string                     &what)
   {
@@ -111,14 +111,14 @@ namespace Thalweg
   }
 
 
-#define THALWEG_INSTANTIATE_FLOW_ACCESS(dim)                                \
-  template FlowFields<dim>              flow_of(const SolutionView<dim> &); \
-  template std::vector<PointValue<dim>> evaluate_at(                        \
-    const SolutionView<dim> &,                                              \
-    const std::vector<dealii::Point<dim>> &,                                \
-    const std::string &);                                                   \
-  template void check_points(const Mesh<dim> &,                             \
-                             const std::vector<dealii::Point<dim>> &,       \
+#define THALWEG_INSTANTIATE_FLOW_ACCESS(dim)                            \
+  template FlowFields<dim>              flow_of(const FlowView<dim> &); \
+  template std::vector<PointValue<dim>> evaluate_at(                    \
+    const FlowView<dim> &,                                              \
+    const std::vector<dealii::Point<dim>> &,                            \
+    const std::string &);                                               \
+  template void check_points(const Mesh<dim> &,                         \
+                             const std::vector<dealii::Point<dim>> &,   \
                              const std::string &);
   THALWEG_INSTANTIATE_FLOW_ACCESS(2)
   THALWEG_INSTANTIATE_FLOW_ACCESS(3)

@@ -18,7 +18,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(limits.empty() ||
                       (limits.size() == 2 && limits[0] <= limits[1]),
@@ -60,14 +60,14 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         return {std::string("front ") + direction.back() + " [m]"};
       }
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         Band band;
         if (!limits.empty())

@@ -24,7 +24,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(outline.fluids.size() == 2,
                     dealii::ExcMessage(
@@ -49,7 +49,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         exact = parse();
         return {"error [" + length_unit(dim) + "]",
@@ -59,7 +59,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         exact->set_time(solution.time);
         const CellGraph<dim> &graph = solution.mesh.graph();

@@ -18,7 +18,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(
           !ends.empty() && ends.size() % 2 == 0,
@@ -32,7 +32,7 @@ namespace Thalweg
 
 
       void
-      initialize(Context &context, const SolutionView<dim> &) override
+      initialize_for_flow(Context &context, const FlowView<dim> &) override
       {
         std::vector<std::string> columns{"time [s]", "line", "distance [m]"};
         for (unsigned int d = 0; d < dim; ++d)
@@ -91,7 +91,7 @@ namespace Thalweg
 
 
       void
-      write(Context &context, const SolutionView<dim> &solution) override
+      write(Context &context, const FlowView<dim> &solution) override
       {
         const auto list = points();
         const auto values =

@@ -10,10 +10,10 @@ namespace Thalweg
   {
     template <int dim>
     void
-    write_population(const Population<dim>   &population,
-                     const SolutionView<dim> &solution,
-                     Context                 &context,
-                     PvdRecord               &record)
+    write_population(const Population<dim> &population,
+                     const FlowView<dim>   &solution,
+                     Context               &context,
+                     PvdRecord             &record)
     {
       using namespace dealii::DataComponentInterpretation;
       std::vector<std::string>                 names(dim, "velocity");
@@ -42,7 +42,7 @@ namespace Thalweg
 
     private:
       void
-      write(Context &context, const SolutionView<dim> &solution) override
+      write(Context &context, const FlowView<dim> &solution) override
       {
         write_population(solution.population, solution, context, this->record);
       }
@@ -60,7 +60,7 @@ namespace Thalweg
       {}
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(outline.has_dispersed,
                     dealii::ExcMessage(
@@ -71,7 +71,7 @@ namespace Thalweg
 
     private:
       void
-      write(Context &context, const SolutionView<dim> &solution) override
+      write(Context &context, const FlowView<dim> &solution) override
       {
         write_population(*solution.dispersed, solution, context, this->record);
       }

@@ -76,10 +76,10 @@ namespace Thalweg
 
   template <int dim>
   double
-  phase_extent(const SolutionView<dim> &solution,
-               const unsigned int       axis,
-               const double             sign,
-               const Band              &band)
+  phase_extent(const FlowView<dim> &solution,
+               const unsigned int   axis,
+               const double         sign,
+               const Band          &band)
   {
     const CellGraph<dim> &graph  = solution.mesh.graph();
     double                extent = nowhere;
@@ -104,12 +104,12 @@ namespace Thalweg
 
 
   template double
-  phase_extent(const SolutionView<2> &,
+  phase_extent(const FlowView<2> &,
                const unsigned int,
                const double,
                const Band &);
   template double
-  phase_extent(const SolutionView<3> &,
+  phase_extent(const FlowView<3> &,
                const unsigned int,
                const double,
                const Band &);

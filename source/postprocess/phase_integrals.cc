@@ -14,7 +14,7 @@ namespace Thalweg
     /// Adds the quadrature point @p xi with the reference weight @p weight.
     template <int dim>
     void
-    add_point(const SolutionView<dim>  &solution,
+    add_point(const FlowView<dim>      &solution,
               const unsigned int        c,
               const dealii::Point<dim> &xi,
               const double              weight,
@@ -41,7 +41,7 @@ namespace Thalweg
     /// The same for cells of any shape.
     template <int dim>
     void
-    add_cut_in_space(const SolutionView<dim>              &solution,
+    add_cut_in_space(const FlowView<dim>                  &solution,
                      const unsigned int                    c,
                      const std::array<double, (1 << dim)> &phi,
                      std::array<PhaseIntegrals<dim>, 2>   &integrals)
@@ -69,7 +69,7 @@ namespace Thalweg
 
     template <int dim>
     void
-    add_cut_cell(const SolutionView<dim>              &solution,
+    add_cut_cell(const FlowView<dim>                  &solution,
                  const unsigned int                    c,
                  const std::array<double, (1 << dim)> &phi,
                  std::array<PhaseIntegrals<dim>, 2>   &integrals)
@@ -120,7 +120,7 @@ namespace Thalweg
 
   template <int dim>
   std::array<PhaseIntegrals<dim>, 2>
-  integrate_phases(const SolutionView<dim> &solution)
+  integrate_phases(const FlowView<dim> &solution)
   {
     static const Q1::Gauss<dim>        gauss;
     const CellGraph<dim>              &graph = solution.mesh.graph();
@@ -142,7 +142,7 @@ namespace Thalweg
 
 
   template std::array<PhaseIntegrals<2>, 2>
-  integrate_phases(const SolutionView<2> &);
+  integrate_phases(const FlowView<2> &);
   template std::array<PhaseIntegrals<3>, 2>
-  integrate_phases(const SolutionView<3> &);
+  integrate_phases(const FlowView<3> &);
 } // namespace Thalweg

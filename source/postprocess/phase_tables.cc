@@ -25,7 +25,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &solution) override
+      columns(const FlowView<dim> &solution) override
       {
         std::vector<std::string> names;
         for (unsigned int f = 0; f < solution.fluids.size(); ++f)
@@ -36,7 +36,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         const auto          phases = integrate_phases(solution);
         std::vector<double> all;

@@ -19,7 +19,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(!points.empty(),
                     dealii::ExcMessage("'point probes' has no 'Points'; give "
@@ -41,7 +41,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         std::vector<std::string> names;
         for (std::size_t p = 0; p < points.size(); ++p)
@@ -58,7 +58,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         const auto flow = evaluate_at(solution, points, "The point probe");
         const auto phi  = level_sets(solution);
@@ -76,7 +76,7 @@ namespace Thalweg
 
       /// The level set at the points; negative for a single fluid.
       std::vector<double>
-      level_sets(const SolutionView<dim> &solution) const
+      level_sets(const FlowView<dim> &solution) const
       {
         std::vector<double> values(points.size(), -1.);
         if (solution.fluids.size() == 1)

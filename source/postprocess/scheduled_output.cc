@@ -5,7 +5,7 @@ namespace Thalweg
 {
   template <int dim>
   void
-  ScheduledOutput<dim>::declare_parameters(const Section &section)
+  ScheduledOutput<dim>::declare_for_flow(const Section &section)
   {
     declare_own_parameters(section);
     schedule.declare_parameters(section, what);
@@ -14,8 +14,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  ScheduledOutput<dim>::execute(Context                 &context,
-                                const SolutionView<dim> &solution)
+  ScheduledOutput<dim>::execute_for_flow(Context             &context,
+                                         const FlowView<dim> &solution)
   {
     if (schedule.is_due(solution.time, solution.last_step))
       write(context, solution);
@@ -33,8 +33,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  TableOutput<dim>::initialize(Context                 &context,
-                               const SolutionView<dim> &solution)
+  TableOutput<dim>::initialize_for_flow(Context             &context,
+                                        const FlowView<dim> &solution)
   {
     std::vector<std::string> names = columns(solution);
     names.insert(names.begin(), "time [s]");
@@ -44,7 +44,7 @@ namespace Thalweg
 
   template <int dim>
   void
-  TableOutput<dim>::write(Context &context, const SolutionView<dim> &solution)
+  TableOutput<dim>::write(Context &context, const FlowView<dim> &solution)
   {
     std::vector<double> values = row(solution);
     values.insert(values.begin(), solution.time);
@@ -62,7 +62,8 @@ namespace Thalweg
 
   template <int dim>
   void
-  SeriesOutput<dim>::initialize(Context &context, const SolutionView<dim> &)
+  SeriesOutput<dim>::initialize_for_flow(Context &context,
+                                         const FlowView<dim> &)
   {
     record.open(context, name);
   }

@@ -37,7 +37,7 @@ namespace Thalweg
 
     /// c_p and c_f along boundaries, at times and on average.
     template <int dim>
-    class SurfaceCoefficients : public Postprocessor<dim>
+    class SurfaceCoefficients : public FlowPostprocessor<dim>
     {
     public:
       SurfaceCoefficients()
@@ -46,19 +46,21 @@ namespace Thalweg
       {}
 
       void
-      declare_parameters(const Section &section) override;
+      declare_for_flow(const Section &section) override;
 
       void
-      check(const RunOutline<dim> &outline) const override;
+      check_for_flow(const FlowOutline<dim> &outline) const override;
 
       void
-      initialize(Context &context, const SolutionView<dim> &solution) override;
+      initialize_for_flow(Context             &context,
+                          const FlowView<dim> &solution) override;
 
       void
-      execute(Context &context, const SolutionView<dim> &solution) override;
+      execute_for_flow(Context             &context,
+                       const FlowView<dim> &solution) override;
 
       void
-      mesh_changed(const SolutionView<dim> &solution) override;
+      mesh_changed_for_flow(const FlowView<dim> &solution) override;
 
       void
       keep(const State<dim> &state) override;
@@ -103,7 +105,7 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::declare_parameters(const Section &section)
+    SurfaceCoefficients<dim>::declare_for_flow(const Section &section)
     {
       section.add("Boundaries",
                   names,
@@ -130,7 +132,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::check(const RunOutline<dim> &outline) const
+    SurfaceCoefficients<dim>::check_for_flow(
+      const FlowOutline<dim> &outline) const
     {
       AssertThrow(!names.empty(),
                   dealii::ExcMessage("'surface coefficients' has no "
@@ -148,8 +151,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::initialize(Context                 &context,
-                                         const SolutionView<dim> &solution)
+    SurfaceCoefficients<dim>::initialize_for_flow(Context             &context,
+                                                  const FlowView<dim> &solution)
     {
       for (unsigned int n = 0; n < names.size(); ++n)
         numbers[solution.mesh.boundary_id(names[n])] = n;
@@ -169,7 +172,7 @@ namespace Thalweg
               columns.push_back(mean + "wall shear stress " + axis + " [Pa]");
           columns.push_back(mean + "c_f");
         }
-      mesh_changed(solution);
+      mesh_changed_for_flow(solution);
       table.open(context, "surface_coefficients", columns);
       if (dim == 2)
         zero_file.open(context,
@@ -187,8 +190,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::execute(Context                 &context,
-                                      const SolutionView<dim> &solution)
+    SurfaceCoefficients<dim>::execute_for_flow(Context             &context,
+                                               const FlowView<dim> &solution)
     {
       const bool   is_due = schedule.is_due(solution.time, solution.last_step);
       const double weight = window.overlap(solution.time, solution.time_step);
@@ -210,7 +213,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    SurfaceCoefficients<dim>::mesh_changed(const SolutionView<dim> &solution)
+    SurfaceCoefficients<dim>::mesh_changed_for_flow(
+      const FlowView<dim> &solution)
     {
       means.initialize(solution.mesh, flow_of(solution));
     }

@@ -14,7 +14,7 @@ namespace Thalweg
   {
     /// Mean fields and Reynolds stresses.
     template <int dim>
-    class TimeAverages : public Postprocessor<dim>
+    class TimeAverages : public FlowPostprocessor<dim>
     {
     public:
       TimeAverages()
@@ -24,7 +24,7 @@ namespace Thalweg
 
 
       void
-      declare_parameters(const Section &section) override
+      declare_for_flow(const Section &section) override
       {
         window.declare_parameters(section);
         schedule.declare_parameters(section, "files");
@@ -32,22 +32,23 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &) const override
+      check_for_flow(const FlowOutline<dim> &) const override
       {
         window.check("time averages");
       }
 
 
       void
-      initialize(Context &context, const SolutionView<dim> &solution) override
+      initialize_for_flow(Context             &context,
+                          const FlowView<dim> &solution) override
       {
         record.open(context, "time_averages");
-        mesh_changed(solution);
+        mesh_changed_for_flow(solution);
       }
 
 
       void
-      mesh_changed(const SolutionView<dim> &solution) override
+      mesh_changed_for_flow(const FlowView<dim> &solution) override
       {
         means.initialize(solution.mesh, flow_of(solution));
       }
@@ -65,7 +66,7 @@ namespace Thalweg
 
 
       void
-      execute(Context &context, const SolutionView<dim> &solution) override
+      execute_for_flow(Context &context, const FlowView<dim> &solution) override
       {
         const bool is_due = schedule.is_due(solution.time, solution.last_step);
         const double weight = window.overlap(solution.time, solution.time_step);
@@ -78,9 +79,9 @@ namespace Thalweg
 
     private:
       void
-      write(Context                 &context,
-            const SolutionView<dim> &solution,
-            const FlowFields<dim>   &mean)
+      write(Context               &context,
+            const FlowView<dim>   &solution,
+            const FlowFields<dim> &mean)
       {
         using namespace dealii::DataComponentInterpretation;
         const std::vector<DataComponentInterpretation> is_vector(

@@ -25,7 +25,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &) const override
+      check_for_flow(const FlowOutline<dim> &) const override
       {
         parse_velocity();
         if (!pressure_expression.empty())
@@ -53,7 +53,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         exact_velocity = parse_velocity();
         std::vector<std::string> names{"velocity time [s]",
@@ -75,7 +75,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         const FlowFields<dim> flow = flow_of(solution);
         // Two points for the bilinear velocities of the older methods.

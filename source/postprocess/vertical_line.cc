@@ -191,7 +191,7 @@ namespace Thalweg
 
   template <int dim>
   LineContent
-  cut_line(const SolutionView<dim>  &solution,
+  cut_line(const FlowView<dim>      &solution,
            const dealii::Point<dim> &point,
            const unsigned int        axis)
   {
@@ -219,13 +219,9 @@ namespace Thalweg
 
 
   template LineContent
-  cut_line(const SolutionView<2> &,
-           const dealii::Point<2> &,
-           const unsigned int);
+  cut_line(const FlowView<2> &, const dealii::Point<2> &, const unsigned int);
   template LineContent
-  cut_line(const SolutionView<3> &,
-           const dealii::Point<3> &,
-           const unsigned int);
+  cut_line(const FlowView<3> &, const dealii::Point<3> &, const unsigned int);
   template bool
   meets_line(const Mesh<2> &, const dealii::Point<2> &, const unsigned int);
   template bool

@@ -18,7 +18,7 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline) const override
+      check_for_flow(const FlowOutline<dim> &outline) const override
       {
         AssertThrow(!positions.empty(),
                     dealii::ExcMessage(
@@ -71,7 +71,7 @@ namespace Thalweg
 
 
       std::vector<std::string>
-      columns(const SolutionView<dim> &) override
+      columns(const FlowView<dim> &) override
       {
         std::vector<std::string> names;
         for (std::size_t g = 0; g < positions.size(); ++g)
@@ -82,7 +82,7 @@ namespace Thalweg
 
 
       std::vector<double>
-      row(const SolutionView<dim> &solution) override
+      row(const FlowView<dim> &solution) override
       {
         std::vector<double> values;
         for (std::size_t g = 0; g < positions.size(); ++g)

@@ -13,7 +13,7 @@ namespace Thalweg
     /// @param what is no finite number, with its place
     template <int dim>
     [[noreturn]] void
-    refuse(const SolutionView<dim> &solution, const std::string &what)
+    refuse(const FlowView<dim> &solution, const std::string &what)
     {
       std::ostringstream message;
       message.precision(10);
@@ -43,9 +43,9 @@ namespace Thalweg
     /// A field at the vertices, of one or of dim components.
     template <int dim>
     void
-    check_nodes(const SolutionView<dim> &solution,
-                const Vector            &field,
-                const std::string       &name)
+    check_nodes(const FlowView<dim> &solution,
+                const Vector        &field,
+                const std::string   &name)
     {
       if (is_finite(field))
         return;
@@ -69,7 +69,7 @@ namespace Thalweg
     /// A field in a space of the flow's own.
     template <int dim>
     void
-    check_dofs(const SolutionView<dim>       &solution,
+    check_dofs(const FlowView<dim>           &solution,
                const dealii::DoFHandler<dim> &dofs,
                const Vector                  &field,
                const std::string             &name)
@@ -110,8 +110,8 @@ namespace Thalweg
 
     template <int dim>
     void
-    check_particles(const SolutionView<dim> &solution,
-                    const Population<dim>   &population)
+    check_particles(const FlowView<dim>   &solution,
+                    const Population<dim> &population)
     {
       for (const auto &particle : population.handler())
         {
@@ -132,6 +132,32 @@ namespace Thalweg
           refuse(solution, what.str());
         }
     }
+
+
+
+    template <int dim>
+    void
+    check_flow(const FlowView<dim> &solution)
+    {
+      check_nodes(solution, solution.velocity, "velocity");
+      check_nodes(solution, solution.pressure, "pressure");
+      if (solution.fluids.size() == 2)
+        check_nodes(solution, solution.level_set, "level set");
+      if (solution.flow != nullptr)
+        {
+          check_dofs(solution,
+                     solution.flow->velocity_dofs,
+                     solution.flow->velocity,
+                     "velocity");
+          check_dofs(solution,
+                     solution.flow->pressure_dofs,
+                     solution.flow->pressure,
+                     "pressure");
+        }
+      check_particles(solution, solution.population);
+      if (solution.dispersed != nullptr)
+        check_particles(solution, *solution.dispersed);
+    }
   } // namespace
 
 
@@ -140,24 +166,8 @@ namespace Thalweg
   void
   check_finite(const SolutionView<dim> &solution)
   {
-    check_nodes(solution, solution.velocity, "velocity");
-    check_nodes(solution, solution.pressure, "pressure");
-    if (solution.fluids.size() == 2)
-      check_nodes(solution, solution.level_set, "level set");
-    if (solution.flow != nullptr)
-      {
-        check_dofs(solution,
-                   solution.flow->velocity_dofs,
-                   solution.flow->velocity,
-                   "velocity");
-        check_dofs(solution,
-                   solution.flow->pressure_dofs,
-                   solution.flow->pressure,
-                   "pressure");
-      }
-    check_particles(solution, solution.population);
-    if (solution.dispersed != nullptr)
-      check_particles(solution, *solution.dispersed);
+    for (const auto &[name, flow] : solution.flows)
+      check_flow(flow);
   }
 
 

@@ -18,13 +18,13 @@ namespace Thalweg
     SimulationParameters<dim>                &parameters,
     Context                                  &context,
     Mesh<dim>                                &mesh,
-    Method<dim>                              &method,
+    MethodList<dim>                          &methods,
     const std::vector<Postprocessor<dim> *>  &postprocessors,
     const std::function<SolutionView<dim>()> &view)
     : parameters(parameters)
     , context(context)
     , mesh(mesh)
-    , method(method)
+    , methods(methods)
     , postprocessors(postprocessors)
     , view(view)
     , memory(parameters.memory(context.communicator))
@@ -68,10 +68,10 @@ namespace Thalweg
     for (unsigned int i = 0; i < n && mark(); ++i)
       {
         parameters.balance.count(view());
-        method.clear();
+        methods.clear();
         mesh.triangulation().execute_coarsening_and_refinement();
         mesh.update();
-        method.initialize();
+        methods.initialize();
       }
   }
 
@@ -81,7 +81,7 @@ namespace Thalweg
   void
   MeshAdaptation<dim>::keep(const State<dim> &state)
   {
-    method.keep(state);
+    methods.keep(state);
     const State<dim> means = state.with(Archive::nowhere());
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->keep(means);
@@ -103,13 +103,13 @@ namespace Thalweg
     }
     change();
     mesh.update();
-    method.attach();
+    methods.attach();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->mesh_changed(view());
     const State<dim> state(values.reader());
     keep(state);
     transfer.unpack(state);
-    method.update();
+    methods.update();
   }
 
 
@@ -131,7 +131,7 @@ namespace Thalweg
       {
         carry(
           [&]() { mesh.triangulation().execute_coarsening_and_refinement(); });
-        method.repopulate();
+        methods.repopulate();
         ++n_adaptations;
         has_changed = true;
         is_wanted   = refinement.must_adapt(view(), dt);

@@ -41,7 +41,7 @@ namespace Thalweg
       forces.check(time.end_time());
       has_forces = true;
     });
-    method->check(faults);
+    methods.check(faults);
     collect([this]() { balance.check(); });
     collect([this]() { mesh.partition->check(); });
     collect([this]() { check_change(); });
@@ -97,7 +97,7 @@ namespace Thalweg
   MemoryEstimate
   SimulationParameters<dim>::memory(const MPI_Comm communicator) const
   {
-    return {communicator, dim, method->particles_per_cell(), mesh.memory_limit};
+    return {communicator, dim, methods.particles_per_cell(), mesh.memory_limit};
   }
 
 
@@ -127,9 +127,9 @@ namespace Thalweg
     const Mesh<dim>          &coarse,
     std::vector<std::string> &faults) const
   {
-    method->check_on_mesh(coarse, faults);
+    methods.check_on_mesh(coarse, faults);
     const RunOutline<dim> outline =
-      method->outline(coarse, has_flat_cells(coarse));
+      methods.outline(coarse, has_flat_cells(coarse));
     collect_fault(faults, [&]() { adaptive.check(outline); });
     for (std::size_t i = 0; i < postprocessors.chosen().size(); ++i)
       {
@@ -157,7 +157,7 @@ namespace Thalweg
     std::vector<std::string> texts{
       touching_boundaries(coarse.triangulation(), coarse.boundary_names())};
     if (before_run)
-      for (const std::string &warning : method->warnings(
+      for (const std::string &warning : methods.warnings(
              coarse,
              std::pow(2., dim * static_cast<double>(mesh.global_refinement)) *
                coarse.graph().n_owned_cells()))

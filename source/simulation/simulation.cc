@@ -14,7 +14,7 @@ namespace Thalweg
                               Context                   &context,
                               const Settings            &settings)
     : parameters(parameters)
-    , method(*parameters.method)
+    , methods(parameters.methods)
     , context(context)
     , settings(settings)
     , checkpoints(context)
@@ -35,7 +35,7 @@ namespace Thalweg
   Simulation<dim>::make_adaptation()
   {
     adaptation = std::make_unique<MeshAdaptation<dim>>(
-      parameters, context, mesh, method, postprocessors, [this]() {
+      parameters, context, mesh, methods, postprocessors, [this]() {
         return view();
       });
   }
@@ -44,10 +44,10 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::create_method()
+  Simulation<dim>::create_methods()
   {
     parameters.forces.initialize(parameters.time.end_time());
-    method.create({context, mesh, parameters.forces});
+    methods.create(context, mesh, parameters.forces);
   }
 
 
@@ -58,9 +58,9 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(context.timers, "setup");
     mesh.create(parameters.mesh);
-    create_method();
+    create_methods();
     make_adaptation();
-    method.initialize();
+    methods.initialize();
     adaptation->adapt_to_initial_state();
   }
 
@@ -70,11 +70,12 @@ namespace Thalweg
   SolutionView<dim>
   Simulation<dim>::view() const
   {
-    return method.view({time,
-                        last_dt,
-                        step,
-                        parameters.time.end_time(),
-                        parameters.time.is_over(time, step)});
+    return methods.view(mesh,
+                        {time,
+                         last_dt,
+                         step,
+                         parameters.time.end_time(),
+                         parameters.time.is_over(time, step)});
   }
 
 
@@ -94,7 +95,7 @@ namespace Thalweg
   void
   Simulation<dim>::choose_step()
   {
-    numbers = method.step_numbers();
+    numbers = methods.step_numbers();
     plan    = parameters.time.next_step(time, numbers, wanted_dt, last_dt);
     dt      = plan.size;
     check_courant_number();
@@ -107,7 +108,7 @@ namespace Thalweg
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
     std::vector<std::string> columns{"step", "time [s]", "dt [s]"};
-    for (const std::string &column : method.columns())
+    for (const std::string &column : methods.columns())
       columns.push_back(column);
     context.statistics.declare(columns);
     if (!context.output_directory.empty())
@@ -124,12 +125,12 @@ namespace Thalweg
     postprocessors = parameters.postprocessors.chosen();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       {
-        postprocessor->check(method.outline(mesh, true));
+        postprocessor->check(methods.outline(mesh, true));
         postprocessor->initialize(context, view());
       }
     if (context.resumed)
       load_state(checkpoint, values);
-    method.check_conditions(time);
+    methods.check_conditions(time);
     on_all(context.communicator, [&]() { check_finite(view()); });
     announce();
     if (!context.resumed)
@@ -147,9 +148,9 @@ namespace Thalweg
     statistics.set("time [s]", time);
     statistics.set("dt [s]", dt);
     for (const StepNumber &number : numbers)
-      statistics.set(number.name, number.rate * dt);
+      statistics.set(number.title(), number.rate * dt);
     statistics.set("cells", mesh.triangulation().n_global_active_cells());
-    method.record(time);
+    methods.record(time);
     record_frame(parameters.forces.frame(), time, statistics);
     adaptation->record();
     for (const auto &[name, seconds] :

@@ -117,7 +117,7 @@ namespace Thalweg
     values.value("step", step);
     context.statistics.keep(values.enter("statistics"), context.log);
     adaptation->keep(values.enter("adaptation"));
-    method.keep(state.enter("method"));
+    methods.keep(state);
     for (unsigned int i = 0; i < postprocessors.size(); ++i)
       {
         const std::string name =
@@ -145,7 +145,7 @@ namespace Thalweg
     saved_at   = std::chrono::steady_clock::now();
     const Archive    values;
     const State<dim> state(values);
-    method.keep_constants(values.enter("constants"));
+    methods.keep_constants(values.enter("constants"));
     keep(state);
     MeshTransfer<dim> transfer(mesh);
     CheckpointContent content;
@@ -220,14 +220,14 @@ namespace Thalweg
     mesh.create_to_load(parameters.mesh);
     check(checkpoint);
     mesh.load(parameters.mesh, saved_cells(context.communicator, checkpoint));
-    create_method();
+    create_methods();
     make_adaptation();
     Archive values;
     with_name_of(checkpoint, [&]() {
       values = read_values(context.communicator, checkpoint);
-      method.keep_constants(values.enter("constants"));
+      methods.keep_constants(values.enter("constants"));
     });
-    method.attach();
+    methods.attach();
     return values;
   }
 
@@ -267,7 +267,7 @@ namespace Thalweg
       cells = read_packed_cells(checkpoint, own.first, own.second);
     });
     with_name_of(checkpoint, [&]() { transfer.unpack_saved(state, cells); });
-    method.update();
+    methods.update();
     with_name_of(checkpoint, [&]() {
       on_all(context.communicator, [&]() { check_finite(view()); });
     });

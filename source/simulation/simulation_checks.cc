@@ -3,6 +3,7 @@
 #include <thalweg/core/errors.h>
 #include <thalweg/simulation/simulation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -14,12 +15,12 @@ namespace Thalweg
   {
     context.log.line(
       std::to_string(mesh.triangulation().n_global_active_cells()) +
-      " cells, " + method.size());
-    const std::string warning = parameters.time.warning(method.step_numbers());
+      " cells, " + methods.size());
+    const std::string warning = parameters.time.warning(methods.step_numbers());
     if (!warning.empty())
       context.log.warning(warning);
     if (!context.resumed)
-      method.warn_at_start();
+      methods.warn_at_start();
   }
 
 
@@ -28,10 +29,15 @@ namespace Thalweg
   double
   Simulation<dim>::courant_number() const
   {
+    double largest = 0.;
     for (const StepNumber &number : numbers)
       if (number.name == StepNumber::courant)
-        return number.rate * dt;
-    return 0.;
+        {
+          if (!std::isfinite(number.rate * dt))
+            return number.rate * dt;
+          largest = std::max(largest, number.rate * dt);
+        }
+    return largest;
   }
 
 

@@ -60,8 +60,8 @@ namespace Thalweg
   void
   Simulation<dim>::undo_step(const Archive &row)
   {
-    before_step.restore([&](const State<dim> &state) { method.keep(state); });
-    method.update();
+    before_step.restore([&](const State<dim> &state) { methods.keep(state); });
+    methods.update();
     // What the failed attempt counted is not of the step.
     context.statistics.keep(row.reader(), context.log);
   }
@@ -76,7 +76,7 @@ namespace Thalweg
     const ExpressionFaults faults;
     try
       {
-        method.check_conditions_of_step(time + dt);
+        methods.check_conditions_of_step(time + dt);
       }
     catch (const dealii::ExcMessage &failure)
       {
@@ -84,7 +84,7 @@ namespace Thalweg
         stop_for(faults);
         stop_before_step(message_of(failure));
       }
-    before_step.save([&](const State<dim> &state) { method.keep(state); });
+    before_step.save([&](const State<dim> &state) { methods.keep(state); });
     const Archive row;
     context.statistics.keep(row, context.log);
     for (unsigned int n_halvings = 0;; ++n_halvings)
@@ -93,7 +93,7 @@ namespace Thalweg
           // For warnings during the step.
           context.statistics.set("step", step + 1);
           context.statistics.set("time [s]", time);
-          method.advance(time, dt);
+          methods.advance(time, dt);
           break;
         }
       catch (const StepFailure &failure)
@@ -209,7 +209,7 @@ namespace Thalweg
                     parameters.time.end_time(),
                     dt,
                     courant_number(),
-                    method.headline(),
+                    methods.headline(),
                     parameters.time.is_over(time, step));
     on_all(context.communicator, [&]() {
       if (context.lock != nullptr)

@@ -138,7 +138,7 @@ namespace Thalweg
       if (fixed_step * number.rate > number.stable)
         text << (text.tellp() > 0 ? " " : "")
              << "With 'Time/Time step' = " << fixed_step << " s the "
-             << number.name << " is " << fixed_step * number.rate << ", but "
+             << number.title() << " is " << fixed_step * number.rate << ", but "
              << number.where << " the method is stable only up to "
              << number.stable << ". The largest stable step is "
              << number.stable / number.rate << " s.";
@@ -169,7 +169,7 @@ namespace Thalweg
       {
         if (!std::isfinite(number.rate))
           throw StepRefused("At t = " + std::to_string(time) + " s the " +
-                            number.name +
+                            number.title() +
                             " is no finite number: the solution has blown up.");
         const double own = largest(number) / std::max(number.rate, 1e-300);
         if (own < dt)

@@ -53,9 +53,10 @@ namespace AdaptationTest
     for (const std::string &line : settings)
       input += "set " + line + "\n";
     prm.parse_input_from_string(input);
-    criterion->check({state.mesh, state.fluids}, levels);
+    criterion->check(whole(Thalweg::FlowOutline<dim>{state.mesh, state.fluids}),
+                     levels);
     Thalweg::CellWishes wishes(state.mesh.graph().n_owned_cells());
-    criterion->evaluate(state.view(), levels, time_ahead, wishes);
+    criterion->evaluate(whole(state.view()), levels, time_ahead, wishes);
     return wishes;
   }
 
@@ -100,7 +101,8 @@ namespace AdaptationTest
     Thalweg::SolutionView<dim>
     view() const
     {
-      return {mesh, *space, fluids, *population, velocity, pressure, level_set};
+      return whole(Thalweg::FlowView<dim>{
+        mesh, *space, fluids, *population, velocity, pressure, level_set});
     }
 
     /// To be called when the mesh has changed.

@@ -268,7 +268,8 @@ TEST(AdaptiveRefinement, RefusesWhatMakesNoSense)
     const Adaptation<2> setup(settings, sub);
     const World<2>      world(MPI_COMM_SELF, unit_box<2>(2) + fluids);
     return complaint_of([&]() {
-      setup.adaptive.check({world.mesh, world.fluids});
+      setup.adaptive.check(
+        whole(Thalweg::FlowOutline<2>{world.mesh, world.fluids}));
     });
   };
   const std::string distance = "Criteria = interface distance";

@@ -147,11 +147,11 @@ TYPED_TEST(CriteriaMpi, AnInterfaceThatLeavesItsBandIsSeen)
   const Adaptation<dim> setup({"Criteria = interface distance",
                                "Maximum level = 1"},
                               section("interface distance", {"Widths = 1"}));
-  EXPECT_FALSE(setup.adaptive.must_adapt(state.view(), .2));
-  EXPECT_TRUE(setup.adaptive.must_adapt(state.view(), .3));
+  EXPECT_FALSE(setup.adaptive.must_adapt(whole(state.view()), .2));
+  EXPECT_TRUE(setup.adaptive.must_adapt(whole(state.view()), .3));
   state.set(
     state.velocity, [](const auto &) { return -1.; }, dim, 0);
-  EXPECT_FALSE(setup.adaptive.must_adapt(state.view(), .3));
+  EXPECT_FALSE(setup.adaptive.must_adapt(whole(state.view()), .3));
 }
 
 

@@ -192,7 +192,7 @@ TEST(BodyForcesMpi, SummaryFindsTheStrouhalNumber)
         solution.time      = time;
         solution.step      = step;
         solution.last_step = step == n;
-        tool->execute(state.context, solution);
+        tool->execute(state.context, whole(solution));
       }
     return state.read("body_forces_summary.csv");
   };
@@ -227,7 +227,7 @@ TEST(BodyForcesMpi, SteadyFlowsHaveNoStrouhalNumber)
       solution.time      = .02 * step;
       solution.step      = step;
       solution.last_step = step == n;
-      tool->execute(state.context, solution);
+      tool->execute(state.context, whole(solution));
     }
   const auto table = state.read("body_forces_summary.csv");
   EXPECT_TRUE(std::isnan(value(table, "Strouhal number by spectrum")));

@@ -15,6 +15,7 @@
 
 #include "support/files.h"
 #include "support/scene.h"
+#include "support/whole.h"
 
 /// A scene with fields given by functions, for those who look at them.
 template <int dim>
@@ -58,7 +59,7 @@ public:
                              component) = function(graph.cell(c).vertices[v]);
   }
 
-  Thalweg::SolutionView<dim>
+  Thalweg::FlowView<dim>
   view() const
   {
     return {this->mesh,
@@ -92,8 +93,8 @@ public:
     for (const std::string &line : settings)
       input += "set " + line + "\n";
     own.parse_input_from_string(input);
-    tool->check({this->mesh, this->fluids});
-    tool->initialize(context, view());
+    tool->check(whole(Thalweg::FlowOutline<dim>{this->mesh, this->fluids}));
+    tool->initialize(context, whole(view()));
     return tool;
   }
 
@@ -107,7 +108,7 @@ public:
     auto solution      = view();
     solution.time      = time;
     solution.last_step = true;
-    tool->execute(context, solution);
+    tool->execute(context, whole(solution));
     return tool;
   }
 

@@ -39,7 +39,7 @@ namespace
       solution.time      = 1.;
       solution.time_step = .5;
       solution.step      = 1;
-      averages->execute(state.context, solution);
+      averages->execute(state.context, whole(solution));
     }
 
     void
@@ -53,7 +53,7 @@ namespace
       state.mesh.update();
       state.space = std::make_unique<Thalweg::NodeSpace<2>>(state.mesh);
       make_flow();
-      averages->mesh_changed(state.view());
+      averages->mesh_changed(whole(state.view()));
     }
 
     /// Calls @p visit(entry, value) for all entries of all fields with what

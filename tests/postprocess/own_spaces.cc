@@ -199,7 +199,7 @@ TEST(OwnSpacesMpi, TimeAveragesWriteOnceThereIsOne)
     solution.time      = time;
     solution.time_step = .5;
     solution.last_step = last;
-    tool->execute(state.context, solution);
+    tool->execute(state.context, whole(solution));
     MPI_Barrier(MPI_COMM_WORLD);
     return content(state.context.output_directory + "/time_averages.pvd");
   };

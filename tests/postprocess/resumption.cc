@@ -81,7 +81,7 @@ namespace
           solution.time_step = step == 0 ? 0. : .1;
           solution.step      = step;
           solution.last_step = ends && step == last;
-          tool.execute(state.context, solution);
+          tool.execute(state.context, whole(solution));
         }
     }
 
@@ -239,7 +239,7 @@ TEST(ResumptionMpi, MissingFilesAreToldAndBegunAnew)
       auto solution      = state.view();
       solution.time      = 4.;
       solution.last_step = true;
-      tool->execute(state.context, solution);
+      tool->execute(state.context, whole(solution));
     }
   EXPECT_EQ(state.read_all("front_position.csv").size(), 1u);
   const std::string record =

@@ -144,7 +144,7 @@ TEST(SurfaceCoefficientsMpi, TrustTheTractionMoreThanGradients)
       flow.set_traction([&](const auto &p) {
         return dealii::Tensor<1, 2>({time == 1. ? 2. : p[0] - .7, 5.});
       });
-      tool->execute(state.context, solution);
+      tool->execute(state.context, whole(solution));
     }
   for (const auto &row : state.read_all("surface_coefficients.csv"))
     {
@@ -167,7 +167,7 @@ TEST(SurfaceCoefficientsMpi, AverageOverUnequalSteps)
     solution.time      = time;
     solution.time_step = dt;
     solution.last_step = last;
-    tool->execute(state.context, solution);
+    tool->execute(state.context, whole(solution));
   };
   step(.8, .8, false);
   step(1.5, .7, false); // of which 0.5 count

@@ -47,8 +47,8 @@ namespace
     std::vector<double>
     state() const
     {
-      const SolutionView<2> solution = view({});
-      std::vector<double>   numbers;
+      const FlowView<2>   solution = view({});
+      std::vector<double> numbers;
       for (const Vector *field :
            {&solution.velocity, &solution.pressure, &solution.level_set})
         numbers.insert(numbers.end(), field->begin(), field->end());

@@ -55,7 +55,7 @@ namespace
   double
   velocity_error(const RunCase<dim> &run, const Function &exact)
   {
-    const auto &flow = *run.simulation->view().flow;
+    const auto &flow = *run.simulation->view().flow("").flow;
     return mean_square_error(flow.velocity_dofs,
                              flow.mapping,
                              flow.velocity,
@@ -66,7 +66,7 @@ namespace
   double
   pressure_error(const RunCase<dim> &run, const Function &exact)
   {
-    const auto &flow = *run.simulation->view().flow;
+    const auto &flow = *run.simulation->view().flow("").flow;
     return mean_square_error(flow.pressure_dofs,
                              flow.mapping,
                              flow.pressure,

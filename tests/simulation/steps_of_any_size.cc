@@ -23,7 +23,7 @@ namespace
     {
       for (const double dt : sizes)
         {
-          run.parameters.method->advance(time, dt);
+          run.parameters.methods.advance(time, dt);
           time += dt;
         }
     }
@@ -31,7 +31,7 @@ namespace
     const Thalweg::FlowFields<2> &
     flow() const
     {
-      return *run.simulation->view().flow;
+      return *run.simulation->view().flow("").flow;
     }
 
     RunCase<2> run;

@@ -81,6 +81,61 @@ namespace Thalweg
       return false;
     }
   };
+
+  /**
+   * @brief A criterion that looks at a flow: at that of the method which its
+   * parameter "Method" names, or at the only one.
+   */
+  template <int dim>
+  class FlowCriterion : public RefinementCriterion<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) final;
+
+    void
+    check(const RunOutline<dim> &outline, const LevelRange &levels) const final;
+
+    void
+    evaluate(const SolutionView<dim> &solution,
+             const LevelRange        &levels,
+             const double             time_ahead,
+             CellWishes              &wishes) final;
+
+    bool
+    is_violated(const SolutionView<dim> &solution,
+                const LevelRange        &levels,
+                const double             dt) final;
+
+  protected:
+    /// Declares all parameters but "Method".
+    virtual void
+    declare_for_flow(const Section &section) = 0;
+
+    /// check() for the flow.
+    virtual void
+    check_for_flow(const FlowOutline<dim> &, const LevelRange &) const
+    {}
+
+    /// evaluate() for the flow.
+    virtual void
+    evaluate_for_flow(const FlowView<dim> &flow,
+                      const LevelRange    &levels,
+                      const double         time_ahead,
+                      CellWishes          &wishes) = 0;
+
+    /// is_violated() for the flow.
+    virtual bool
+    is_violated_for_flow(const FlowView<dim> &,
+                         const LevelRange &,
+                         const double)
+    {
+      return false;
+    }
+
+  private:
+    std::string method;
+  };
 } // namespace Thalweg
 
 #endif

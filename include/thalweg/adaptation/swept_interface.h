@@ -39,10 +39,10 @@ namespace Thalweg
      *   lines, in s
      * @param reach up to which distance will be asked for, in finest cells
      */
-    SweptInterface(const SolutionView<dim> &solution,
-                   const LevelRange        &levels,
-                   const double             time,
-                   const double             reach);
+    SweptInterface(const FlowView<dim> &solution,
+                   const LevelRange    &levels,
+                   const double         time,
+                   const double         reach);
 
     ~SweptInterface();
 

@@ -26,6 +26,29 @@ namespace Thalweg
   class Statistics
   {
   public:
+    /**
+     * @brief As long as it lives, columns that are set are those of a part of
+     * the run: "particles" of the part "water" is "water: particles". Those
+     * that are read are the part's own, or else of the run.
+     */
+    class Group
+    {
+    public:
+      /// @param name of the part; empty: its columns are the run's
+      Group(Statistics &statistics, const std::string &name);
+
+      Group(const Group &) = delete;
+
+      Group &
+      operator=(const Group &) = delete;
+
+      ~Group();
+
+    private:
+      Statistics       &statistics;
+      const std::string outer_prefix;
+    };
+
     /// Collects only; nothing is written before open() was called.
     Statistics() = default;
 
@@ -90,6 +113,12 @@ namespace Thalweg
     std::string
     header() const;
 
+    /// The value of a column of this very name, or nothing.
+    const double *
+    find(const std::string &name) const;
+
+    /// Of the present group.
+    std::string                   prefix;
     std::string                   path;
     GrowingFile                   file;
     std::vector<std::string>      columns;

@@ -29,6 +29,15 @@ namespace Thalweg
     std::string where{};
     /// What is the cause if it asks for steps that are too short, a clause.
     std::string cause = "the solution is probably blowing up";
+    /// Of which method, by its name; empty: of the only one.
+    std::string method{};
+
+    /// The name with that of the method, "water: Courant number".
+    std::string
+    title() const
+    {
+      return method.empty() ? name : method + ": " + name;
+    }
   };
 
   using StepNumbers = std::vector<StepNumber>;

@@ -43,8 +43,8 @@ namespace Thalweg
     double
     particles_per_cell() const final;
 
-    RunOutline<dim>
-    outline(const Mesh<dim> &mesh, const bool fills_domain) const final;
+    void
+    publish(const std::string &name, RunOutline<dim> &outline) const final;
 
     void
     create(const Host<dim> &host) final;
@@ -73,8 +73,12 @@ namespace Thalweg
     void
     check_conditions_of_step(const double end) const final;
 
-    SolutionView<dim>
-    view(const Moment &moment) const final;
+    void
+    publish(const std::string &name, SolutionView<dim> &solution) const final;
+
+    /// The flow as others see it.
+    FlowView<dim>
+    view(const Moment &moment) const;
 
     std::vector<std::string>
     columns() const final;

@@ -3,7 +3,7 @@
 #define thalweg_methods_flow_quantities_h
 
 #include <thalweg/interface/phase_field.h>
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <string>
 #include <utility>
@@ -21,7 +21,7 @@ namespace Thalweg
    */
   template <int dim>
   std::vector<std::pair<std::string, double>>
-  flow_quantities(const SolutionView<dim>      &solution,
+  flow_quantities(const FlowView<dim>          &solution,
                   const PhaseField<dim>        &phase,
                   const dealii::Tensor<1, dim> &gravity);
 } // namespace Thalweg

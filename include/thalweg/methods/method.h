@@ -3,6 +3,7 @@
 #define thalweg_methods_method_h
 
 #include <thalweg/core/context.h>
+#include <thalweg/core/ports.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/core/step_number.h>
 #include <thalweg/fields/state.h>
@@ -14,13 +15,15 @@
 
 namespace Thalweg
 {
-  /// What all methods of a run stand on.
+  /// What a method stands on, and what it is called there.
   template <int dim>
   struct Host
   {
+    std::string      name; ///< empty: the only method
     Context         &context;
     Mesh<dim>       &mesh;
     BodyForces<dim> &forces;
+    const Ports     &ports; ///< what other methods offer
   };
 
   /**
@@ -48,31 +51,39 @@ namespace Thalweg
     virtual void
     declare_sections(const Section &sections) = 0;
 
-    /// Appends what is wrong with the parameters to @p faults, as far as that
+    /// Appends what is wrong with the parameters to a list, as far as that
     /// is seen without a mesh.
     virtual void
-    check(std::vector<std::string> &faults) const = 0;
+    check(std::vector<std::string> &) const
+    {}
 
     /// The same for what is seen on the coarse mesh.
     virtual void
-    check_on_mesh(const Mesh<dim>          &coarse,
-                  std::vector<std::string> &faults) const = 0;
+    check_on_mesh(const Mesh<dim> &, std::vector<std::string> &) const
+    {}
 
-    /// What is suspicious in parameters without faults, on the coarse mesh.
-    /// @param n_cells of the mesh before it adapts, about
+    /// What is suspicious in parameters without faults, on the coarse mesh and
+    /// with about so many cells.
     virtual std::vector<std::string>
-    warnings(const Mesh<dim> &coarse, const double n_cells) const = 0;
+    warnings(const Mesh<dim> &, const double) const
+    {
+      return {};
+    }
 
     /// About how many particles a cell has.
     virtual double
-    particles_per_cell() const = 0;
+    particles_per_cell() const
+    {
+      return 0.;
+    }
 
-    /// What others may know before the run.
-    /// @param fills_domain see RunOutline
-    virtual RunOutline<dim>
-    outline(const Mesh<dim> &mesh, const bool fills_domain) const = 0;
+    /// Adds what others may know before the run, under the method's name.
+    virtual void
+    publish(const std::string &, RunOutline<dim> &) const
+    {}
 
-    /// Once a run, when the mesh exists. @param host must outlive the method
+    /// Once a run, when the mesh exists. What @p host refers to outlives the
+    /// method's use.
     virtual void
     create(const Host<dim> &host) = 0;
 
@@ -81,17 +92,25 @@ namespace Thalweg
     virtual void
     attach() = 0;
 
+    /// Offers other methods what is made anew for each mesh, under the name
+    /// that it has in Host; behind each attach().
+    virtual void
+    offer(Ports &) const
+    {}
+
     /// Attaches, and makes the state at the start. Collective.
     virtual void
     initialize() = 0;
 
     /// Removes all that sits in cells.
     virtual void
-    clear() = 0;
+    clear()
+    {}
 
     /// Names what attach() must know of the first mesh.
     virtual void
-    keep_constants(const Archive &archive) = 0;
+    keep_constants(const Archive &)
+    {}
 
     /// Names what the next step starts from.
     virtual void
@@ -100,41 +119,61 @@ namespace Thalweg
     /// Finds what follows from the state, when that was carried to another
     /// mesh or restored. Collective.
     virtual void
-    update() = 0;
+    update()
+    {}
 
     /// Adds and removes particles where the mesh has changed. Collective.
     virtual void
-    repopulate() = 0;
+    repopulate()
+    {}
 
-    /// Whether the conditions of the problem can be met at @p time, in s.
+    /// Whether the conditions of the problem can be met at a time, in s.
     /// Collective. @throws dealii::ExcMessage if not
     virtual void
-    check_conditions(const double time) const = 0;
+    check_conditions(const double) const
+    {}
 
     /// The same at the end of a step, if it may differ from that before.
     virtual void
-    check_conditions_of_step(const double end) const = 0;
+    check_conditions_of_step(const double) const
+    {}
 
     /// What bounds the size of the next step. Collective.
     virtual StepNumbers
-    step_numbers() const = 0;
+    step_numbers() const
+    {
+      return {};
+    }
+
+    /// In how many equal parts the method makes a step of so many seconds.
+    virtual unsigned int
+    n_sub_steps(const double) const
+    {
+      return 1;
+    }
 
     /// From @p time to @p time + @p dt, in s. @throws StepFailure
     virtual void
     advance(const double time, const double dt) = 0;
 
-    /// The solution as those see it who only look.
-    virtual SolutionView<dim>
-    view(const Moment &moment) const = 0;
+    /// Adds what the method has to the solution as those see it who only
+    /// look, under the method's name.
+    virtual void
+    publish(const std::string &, SolutionView<dim> &) const
+    {}
 
     /// The columns of the statistics with which the method's begin.
     virtual std::vector<std::string>
-    columns() const = 0;
+    columns() const
+    {
+      return {};
+    }
 
-    /// Writes what there is to say of a step that ended at @p time into the
-    /// statistics. Collective.
+    /// Writes what there is to say of a step that ended at this time, in s,
+    /// into the statistics. Collective.
     virtual void
-    record(const double time) = 0;
+    record(const double)
+    {}
 
     /// What the method consists of, for the log. Collective.
     virtual std::string
@@ -142,7 +181,8 @@ namespace Thalweg
 
     /// Says what is suspicious at the start. Collective.
     virtual void
-    warn_at_start() const = 0;
+    warn_at_start() const
+    {}
 
     /// What the line of a step says of the method. Collective.
     virtual std::string

@@ -2,12 +2,13 @@
 #ifndef thalweg_methods_solution_view_h
 #define thalweg_methods_solution_view_h
 
-#include <thalweg/fields/flow_fields.h>
-#include <thalweg/fields/node_space.h>
-#include <thalweg/materials/fluids.h>
-#include <thalweg/particles/population.h>
+#include <thalweg/core/section.h>
+#include <thalweg/methods/flow_view.h>
 
-#include <deal.II/base/tensor.h>
+#include <deal.II/base/exceptions.h>
+
+#include <list>
+#include <string>
 
 namespace Thalweg
 {
@@ -23,54 +24,104 @@ namespace Thalweg
 
 
 
+  /// Things that methods have, by the method's name.
+  template <typename T>
+  class ByName
+  {
+  public:
+    struct Entry
+    {
+      std::string name; ///< empty: the only method's
+      T           object;
+    };
+
+    void
+    add(const std::string &name, const T &object)
+    {
+      entries.push_back({name, object});
+    }
+
+    /**
+     * @brief The one of the method @p name, or the first if that is empty.
+     * @param what it is called in the message: "flow"
+     * @throws dealii::ExcMessage that says which there are
+     */
+    const T &
+    get(const std::string &name, const std::string &what) const;
+
+    auto
+    begin() const
+    {
+      return entries.begin();
+    }
+
+    auto
+    end() const
+    {
+      return entries.end();
+    }
+
+  private:
+    std::list<Entry> entries;
+  };
+
   /// What is known of a run before it begins.
   template <int dim>
   struct RunOutline
   {
     /// The mesh, or a coarser one of the same domain.
     const Mesh<dim> &mesh;
-    const Fluids    &fluids;
     /// Whether the mesh fills the domain exactly; a coarse one with curved
     /// sides does not.
-    bool fills_domain = true;
-    /// Whether there can be drops and bubbles, see SolutionView.
-    bool has_dispersed = true;
+    bool                     fills_domain = true;
+    ByName<FlowOutline<dim>> flows;
+
+    /// That of a method, or the first. @throws dealii::ExcMessage
+    const FlowOutline<dim> &
+    flow(const std::string &method) const
+    {
+      return flows.get(method, "flow");
+    }
   };
 
-
-
-  /**
-   * @brief The state of a run as those see it who only look.
-   *
-   * Vectors are ghosted and consistent with their constraints.
-   */
+  /// The state of a run as those see it who only look.
   template <int dim>
   struct SolutionView
   {
-    const Mesh<dim>       &mesh;
-    const NodeSpace<dim>  &space;
-    const Fluids          &fluids;
-    const Population<dim> &population;
-    const Vector          &velocity; ///< m/s, on space.velocity()
-    const Vector          &pressure; ///< Pa, on space.scalar()
-    const Vector &level_set;         ///< negative in fluid 0, on space.scalar()
+    const Mesh<dim>      &mesh;
+    Moment                moment;
+    ByName<FlowView<dim>> flows;
 
-    double time      = 0.; ///< s
-    double time_step = 0.; ///< s; 0 at the start
-    /// The time of the velocity in s: half a step ahead if it is staggered.
-    double       velocity_time = 0.;
-    unsigned int step          = 0;
-    double       end_time      = 0.; ///< s
-    bool         last_step     = false;
-
-    /// The flow in its own spaces, where the method has such; then velocity
-    /// and pressure above are its values at the vertices. Else nullptr.
-    const FlowFields<dim> *flow = nullptr;
-
-    /// Drops and bubbles that take no part in the flow; nullptr where there
-    /// can be none.
-    const Population<dim> *dispersed = nullptr;
+    /// That of a method, or the first. @throws dealii::ExcMessage
+    const FlowView<dim> &
+    flow(const std::string &method) const
+    {
+      return flows.get(method, "flow");
+    }
   };
+
+  /// Declares the parameter by which @p method is chosen for flow().
+  void
+  declare_flow_choice(const Section &section, std::string &method);
+
+
+
+  template <typename T>
+  const T &
+  ByName<T>::get(const std::string &name, const std::string &what) const
+  {
+    std::string all;
+    for (const Entry &entry : entries)
+      {
+        if (name.empty() || entry.name == name)
+          return entry.object;
+        all += (all.empty() ? "'" : ", '") + entry.name + "'";
+      }
+    throw dealii::ExcMessage(entries.empty()
+                               ? "No method of this run has a " + what + "."
+                               : "There is no " + what + " of a method '" +
+                                   name + "', but of " + all + ".");
+  }
 } // namespace Thalweg
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_cell_access_h
 #define thalweg_postprocess_cell_access_h
 
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/fe/mapping.h>
@@ -32,7 +32,7 @@ namespace Thalweg
   /// everywhere in a run with a single fluid.
   template <int dim>
   std::array<double, (1 << dim)>
-  cell_level_set(const SolutionView<dim> &solution, const unsigned int cell);
+  cell_level_set(const FlowView<dim> &solution, const unsigned int cell);
 
   /// A point in a locally owned cell.
   template <int dim>

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_flow_access_h
 #define thalweg_postprocess_flow_access_h
 
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -22,7 +22,7 @@ namespace Thalweg
    */
   template <int dim>
   FlowFields<dim>
-  flow_of(const SolutionView<dim> &solution);
+  flow_of(const FlowView<dim> &solution);
 
   /// Whether forces by the residual of the momentum equation are available.
   template <int dim>
@@ -60,7 +60,7 @@ namespace Thalweg
    */
   template <int dim>
   std::vector<PointValue<dim>>
-  evaluate_at(const SolutionView<dim>               &solution,
+  evaluate_at(const FlowView<dim>                   &solution,
               const std::vector<dealii::Point<dim>> &points,
               const std::string                     &what);
 

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_phase_extent_h
 #define thalweg_postprocess_phase_extent_h
 
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <limits>
 
@@ -30,10 +30,10 @@ namespace Thalweg
    */
   template <int dim>
   double
-  phase_extent(const SolutionView<dim> &solution,
-               const unsigned int       axis,
-               const double             sign,
-               const Band              &band);
+  phase_extent(const FlowView<dim> &solution,
+               const unsigned int   axis,
+               const double         sign,
+               const Band          &band);
 } // namespace Thalweg
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_phase_integrals_h
 #define thalweg_postprocess_phase_integrals_h
 
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -26,7 +26,7 @@ namespace Thalweg
    */
   template <int dim>
   std::array<PhaseIntegrals<dim>, 2>
-  integrate_phases(const SolutionView<dim> &solution);
+  integrate_phases(const FlowView<dim> &solution);
 } // namespace Thalweg
 
 #endif

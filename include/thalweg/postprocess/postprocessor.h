@@ -61,6 +61,56 @@ namespace Thalweg
     mesh_changed(const SolutionView<dim> &)
     {}
   };
+
+  /**
+   * @brief A postprocessor that looks at a flow: at that of the method which
+   * its parameter "Method" names, or at the only one.
+   */
+  template <int dim>
+  class FlowPostprocessor : public Postprocessor<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) final;
+
+    void
+    check(const RunOutline<dim> &outline) const final;
+
+    void
+    initialize(Context &context, const SolutionView<dim> &solution) final;
+
+    void
+    execute(Context &context, const SolutionView<dim> &solution) final;
+
+    void
+    mesh_changed(const SolutionView<dim> &solution) final;
+
+  protected:
+    /// Declares all parameters but "Method".
+    virtual void
+    declare_for_flow(const Section &section) = 0;
+
+    /// check() for the flow.
+    virtual void
+    check_for_flow(const FlowOutline<dim> &) const
+    {}
+
+    /// initialize() for the flow.
+    virtual void
+    initialize_for_flow(Context &context, const FlowView<dim> &flow) = 0;
+
+    /// execute() for the flow.
+    virtual void
+    execute_for_flow(Context &context, const FlowView<dim> &flow) = 0;
+
+    /// mesh_changed() for the flow.
+    virtual void
+    mesh_changed_for_flow(const FlowView<dim> &)
+    {}
+
+  private:
+    std::string method;
+  };
 } // namespace Thalweg
 
 #endif

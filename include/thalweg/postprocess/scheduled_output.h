@@ -15,7 +15,7 @@ namespace Thalweg
   /// A postprocessor that writes at times which the parameter "Interval"
   /// sets.
   template <int dim>
-  class ScheduledOutput : public Postprocessor<dim>
+  class ScheduledOutput : public FlowPostprocessor<dim>
   {
   public:
     /// @param what is written: "rows"
@@ -26,11 +26,11 @@ namespace Thalweg
     {}
 
     void
-    declare_parameters(const Section &section) final;
+    declare_for_flow(const Section &section) final;
 
     /// Writes if it is time to.
     void
-    execute(Context &context, const SolutionView<dim> &solution) final;
+    execute_for_flow(Context &context, const FlowView<dim> &solution) final;
 
     void
     keep(const State<dim> &state) final;
@@ -43,7 +43,7 @@ namespace Thalweg
 
     /// Writes the present state. Collective.
     virtual void
-    write(Context &context, const SolutionView<dim> &solution) = 0;
+    write(Context &context, const FlowView<dim> &solution) = 0;
 
     /// Keeps the files that write() writes.
     /// @param without_last whether what it wrote last is to be dropped when
@@ -73,20 +73,20 @@ namespace Thalweg
     {}
 
     void
-    initialize(Context &context, const SolutionView<dim> &solution) final;
+    initialize_for_flow(Context &context, const FlowView<dim> &solution) final;
 
   protected:
     /// The names of the columns behind the time, with their units.
     virtual std::vector<std::string>
-    columns(const SolutionView<dim> &solution) = 0;
+    columns(const FlowView<dim> &solution) = 0;
 
     /// As many values, the same on all processes. Collective.
     virtual std::vector<double>
-    row(const SolutionView<dim> &solution) = 0;
+    row(const FlowView<dim> &solution) = 0;
 
   private:
     void
-    write(Context &context, const SolutionView<dim> &solution) final;
+    write(Context &context, const FlowView<dim> &solution) final;
 
     void
     keep_files(const Archive &archive, const bool without_last) final;
@@ -109,7 +109,7 @@ namespace Thalweg
     {}
 
     void
-    initialize(Context &context, const SolutionView<dim> &solution) final;
+    initialize_for_flow(Context &context, const FlowView<dim> &solution) final;
 
   protected:
     void

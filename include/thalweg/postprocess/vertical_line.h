@@ -2,7 +2,7 @@
 #ifndef thalweg_postprocess_vertical_line_h
 #define thalweg_postprocess_vertical_line_h
 
-#include <thalweg/methods/solution_view.h>
+#include <thalweg/methods/flow_view.h>
 
 #include <deal.II/base/point.h>
 
@@ -26,7 +26,7 @@ namespace Thalweg
    */
   template <int dim>
   LineContent
-  cut_line(const SolutionView<dim>  &solution,
+  cut_line(const FlowView<dim>      &solution,
            const dealii::Point<dim> &point,
            const unsigned int        axis);
 

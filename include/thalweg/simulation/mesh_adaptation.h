@@ -23,7 +23,7 @@ namespace Thalweg
     MeshAdaptation(SimulationParameters<dim>                &parameters,
                    Context                                  &context,
                    Mesh<dim>                                &mesh,
-                   Method<dim>                              &method,
+                   MethodList<dim>                          &methods,
                    const std::vector<Postprocessor<dim> *>  &postprocessors,
                    const std::function<SolutionView<dim>()> &view);
 
@@ -66,14 +66,14 @@ namespace Thalweg
     void
     carry(const std::function<void()> &change);
 
-    /// Names all fields, with the values of the method.
+    /// Names all fields, with the values of the methods.
     void
     keep(const State<dim> &state);
 
     SimulationParameters<dim>               &parameters;
     Context                                 &context;
     Mesh<dim>                               &mesh;
-    Method<dim>                             &method;
+    MethodList<dim>                         &methods;
     const std::vector<Postprocessor<dim> *> &postprocessors;
     const std::function<SolutionView<dim>()> view;
     const MemoryEstimate                     memory;

@@ -63,9 +63,9 @@ namespace Thalweg
     void
     make_adaptation();
 
-    /// Lets the method know the mesh.
+    /// Lets the methods know the mesh.
     void
-    create_method();
+    create_methods();
 
     /// Makes the mesh of a checkpoint and what stands on it, but not yet its
     /// state.
@@ -172,7 +172,7 @@ namespace Thalweg
     record();
 
     SimulationParameters<dim>        &parameters;
-    Method<dim>                      &method;
+    MethodList<dim>                  &methods;
     Context                          &context;
     const Settings                    settings;
     CheckpointStore                   checkpoints;

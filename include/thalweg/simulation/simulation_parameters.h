@@ -4,11 +4,10 @@
 
 #include <thalweg/adaptation/adaptive_refinement.h>
 #include <thalweg/adaptation/load_balance.h>
-#include <thalweg/core/parameter_file.h>
-#include <thalweg/methods/method.h>
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/simulation/checkpoint_parameters.h>
 #include <thalweg/simulation/memory_estimate.h>
+#include <thalweg/simulation/method_list.h>
 #include <thalweg/simulation/time_control.h>
 
 #include <string>
@@ -74,7 +73,7 @@ namespace Thalweg
     CheckpointParameters        checkpoint;
     TimeControl                 time;
     BodyForces<dim>             forces;
-    Choice<Method<dim>>         method;
+    MethodList<dim>             methods;
     Choices<Postprocessor<dim>> postprocessors;
   };
 } // namespace Thalweg

@@ -13,11 +13,11 @@ namespace Thalweg
   {
     /// How much a field changes over a cell.
     template <int dim>
-    class Gradient : public RefinementCriterion<dim>
+    class Gradient : public FlowCriterion<dim>
     {
     public:
       void
-      declare_parameters(const Section &section) override
+      declare_for_flow(const Section &section) override
       {
         section.add("Field",
                     field,
@@ -38,7 +38,8 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &, const LevelRange &) const override
+      check_for_flow(const FlowOutline<dim> &,
+                     const LevelRange &) const override
       {
         if (field == "expression")
           parse_expression<dim>(text, 1, parameter);
@@ -47,10 +48,10 @@ namespace Thalweg
 
 
       void
-      evaluate(const SolutionView<dim> &solution,
-               const LevelRange &,
-               const double,
-               CellWishes &wishes) override
+      evaluate_for_flow(const FlowView<dim> &solution,
+                        const LevelRange &,
+                        const double,
+                        CellWishes &wishes) override
       {
         if (field == "expression" && expression == nullptr)
           expression = parse_expression<dim>(text, 1, parameter);
@@ -69,7 +70,7 @@ namespace Thalweg
 
 
       double
-      norm(const SolutionView<dim> &solution, const unsigned int c) const
+      norm(const FlowView<dim> &solution, const unsigned int c) const
       {
         const auto &cell = solution.mesh.graph().cell(c);
         if (field == "velocity")
@@ -93,9 +94,9 @@ namespace Thalweg
 
 
       double
-      value(const SolutionView<dim> &solution,
-            const unsigned int       cell,
-            const unsigned int       vertex) const
+      value(const FlowView<dim> &solution,
+            const unsigned int   cell,
+            const unsigned int   vertex) const
       {
         const unsigned int node = solution.space.nodes(cell)[vertex];
         if (field == "pressure")
@@ -115,10 +116,10 @@ namespace Thalweg
 
 
       static double
-      velocity(const SolutionView<dim> &solution,
-               const unsigned int       cell,
-               const unsigned int       vertex,
-               const unsigned int       component)
+      velocity(const FlowView<dim> &solution,
+               const unsigned int   cell,
+               const unsigned int   vertex,
+               const unsigned int   component)
       {
         return solution.velocity.local_element(
           dim * solution.space.nodes(cell)[vertex] + component);

@@ -21,11 +21,11 @@ namespace Thalweg
 
     /// Bands around the interface, each with a level.
     template <int dim>
-    class InterfaceDistance : public RefinementCriterion<dim>
+    class InterfaceDistance : public FlowCriterion<dim>
     {
     public:
       void
-      declare_parameters(const Section &section) override
+      declare_for_flow(const Section &section) override
       {
         section.add("Widths",
                     widths,
@@ -53,8 +53,8 @@ namespace Thalweg
 
 
       void
-      check(const RunOutline<dim> &outline,
-            const LevelRange      &levels) const override
+      check_for_flow(const FlowOutline<dim> &outline,
+                     const LevelRange       &levels) const override
       {
         AssertThrow(outline.fluids.size() == 2,
                     dealii::ExcMessage(
@@ -80,10 +80,10 @@ namespace Thalweg
 
 
       void
-      evaluate(const SolutionView<dim> &solution,
-               const LevelRange        &levels,
-               const double             time_ahead,
-               CellWishes              &wishes) override
+      evaluate_for_flow(const FlowView<dim> &solution,
+                        const LevelRange    &levels,
+                        const double         time_ahead,
+                        CellWishes          &wishes) override
       {
         const SweptInterface<dim> interface(solution,
                                             levels,
@@ -103,9 +103,9 @@ namespace Thalweg
 
 
       bool
-      is_violated(const SolutionView<dim> &solution,
-                  const LevelRange        &levels,
-                  const double             dt) override
+      is_violated_for_flow(const FlowView<dim> &solution,
+                           const LevelRange    &levels,
+                           const double         dt) override
       {
         const double              margin = std::min(.5, widths[0] / 2.);
         const SweptInterface<dim> interface(solution, levels, dt, margin);

@@ -11,11 +11,11 @@ namespace Thalweg
   {
     /// Cells that hold many particles, and cells that hold too few.
     template <int dim>
-    class ParticleNeed : public RefinementCriterion<dim>
+    class ParticleNeed : public FlowCriterion<dim>
     {
     public:
       void
-      declare_parameters(const Section &section) override
+      declare_for_flow(const Section &section) override
       {
         section.add("Particles per cell",
                     particles_per_cell,
@@ -37,10 +37,10 @@ namespace Thalweg
 
 
       void
-      evaluate(const SolutionView<dim> &solution,
-               const LevelRange &,
-               const double,
-               CellWishes &wishes) override
+      evaluate_for_flow(const FlowView<dim> &solution,
+                        const LevelRange &,
+                        const double,
+                        CellWishes &wishes) override
       {
         const auto &particles = solution.population.handler();
         // Before the particles are there, nothing follows from their absence.

@@ -37,6 +37,7 @@ namespace Thalweg
                     "The name of a fluid: both functions count only in cells "
                     "that have some of it. Nothing: they count everywhere.",
                     dealii::Patterns::Anything());
+        declare_flow_choice(section, method);
       }
 
 
@@ -47,7 +48,7 @@ namespace Thalweg
         parse_expression<dim>(least_text, 1, path + "At least");
         parse_expression<dim>(most_text, 1, path + "At most");
         if (!fluid.empty())
-          outline.fluids.index(fluid);
+          outline.flow(method).fluids.index(fluid);
       }
 
 
@@ -63,8 +64,8 @@ namespace Thalweg
             least = parse_expression<dim>(least_text, 1, path + "At least");
             most  = parse_expression<dim>(most_text, 1, path + "At most");
           }
-        least->set_time(solution.time);
-        most->set_time(solution.time);
+        least->set_time(solution.moment.time);
+        most->set_time(solution.moment.time);
         for (unsigned int c = 0; c < wishes.at_least.size(); ++c)
           if (has_fluid(solution, c))
             look_at(solution.mesh.graph().iterator(c),
@@ -109,8 +110,9 @@ namespace Thalweg
       {
         if (fluid.empty())
           return true;
-        const bool in_first = solution.fluids.index(fluid) == 0;
-        const auto phi      = cell_level_set(solution, cell);
+        const FlowView<dim> &flow     = solution.flow(method);
+        const bool           in_first = flow.fluids.index(fluid) == 0;
+        const auto           phi      = cell_level_set(flow, cell);
         return std::any_of(phi.begin(), phi.end(), [&](const double value) {
           return (value < 0.) == in_first;
         });
@@ -123,6 +125,7 @@ namespace Thalweg
       std::string                                  least_text = "0";
       std::string                                  most_text  = "99";
       std::string                                  fluid;
+      std::string                                  method;
       std::unique_ptr<dealii::FunctionParser<dim>> least, most;
     };
   } // namespace

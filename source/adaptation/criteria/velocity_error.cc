@@ -11,20 +11,20 @@ namespace Thalweg
   {
     /// Kelly's estimator.
     template <int dim>
-    class VelocityError : public RefinementCriterion<dim>
+    class VelocityError : public FlowCriterion<dim>
     {
     public:
       void
-      declare_parameters(const Section &) override
+      declare_for_flow(const Section &) override
       {}
 
 
 
       void
-      evaluate(const SolutionView<dim> &solution,
-               const LevelRange &,
-               const double,
-               CellWishes &wishes) override
+      evaluate_for_flow(const FlowView<dim> &solution,
+                        const LevelRange &,
+                        const double,
+                        CellWishes &wishes) override
       {
         const FlowFields<dim> flow = flow_of(solution);
         const auto           &mesh = solution.mesh;

@@ -10,20 +10,20 @@ namespace Thalweg
   {
     /// |curl v| times the size of the cell.
     template <int dim>
-    class Vorticity : public RefinementCriterion<dim>
+    class Vorticity : public FlowCriterion<dim>
     {
     public:
       void
-      declare_parameters(const Section &) override
+      declare_for_flow(const Section &) override
       {}
 
 
 
       void
-      evaluate(const SolutionView<dim> &solution,
-               const LevelRange &,
-               const double,
-               CellWishes &wishes) override
+      evaluate_for_flow(const FlowView<dim> &solution,
+                        const LevelRange &,
+                        const double,
+                        CellWishes &wishes) override
       {
         const CellGraph<dim> &graph = solution.mesh.graph();
         for (unsigned int c = 0; c < wishes.indicator.size(); ++c)

@@ -96,6 +96,7 @@ namespace Thalweg
   void
   FlowMethod<dim>::create(const Host<dim> &host)
   {
+    name                           = host.name;
     host.context.has_energy_budget = parameters.energy_budget;
     flow = std::make_unique<InterfaceFlow<dim>>(parameters, host);
   }
@@ -109,6 +110,31 @@ namespace Thalweg
     flow->build();
     parts = std::make_unique<Parts<dim>>(flow->parts());
     attach_fields();
+  }
+
+
+
+  template <int dim>
+  void
+  FlowMethod<dim>::offer(Ports &ports) const
+  {
+    ports.offer<const Streamlines<dim>>(name, "streamlines", *this);
+  }
+
+
+
+  template <int dim>
+  StreamlineWalk<dim>
+  FlowMethod<dim>::streamlines() const
+  {
+    const CellVelocity<dim> &velocity = convecting_velocity_of_cells();
+    AssertThrow(velocity.size() == parts->mesh.graph().n_cells(),
+                dealii::ExcMessage(
+                  "The method that follows the velocity of '" + name +
+                  "' stands before it in 'Methods/Names', but needs the "
+                  "velocity of the same step. Write it behind '" + name +
+                  "'."));
+    return parts->convection.walk(velocity, 1.);
   }
 
 

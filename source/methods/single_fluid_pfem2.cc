@@ -107,6 +107,8 @@ namespace Thalweg
     for (Vector *vector :
          {&begin_acceleration, &end_acceleration, &velocity_star})
       flow->space().initialize(*vector, dim);
+    has_begun = false;
+    parts->space.initialize_velocity(begin_velocity);
     parts->space.initialize_scalar(level_set);
     path.degree = flow->space().degree();
   }
@@ -173,6 +175,23 @@ namespace Thalweg
 
 
   template <int dim>
+  const CellVelocity<dim> &
+  SingleFluidPfem2<dim>::convecting_velocity_of_cells() const
+  {
+    mean_velocity.clear();
+    if (!has_begun)
+      return mean_velocity;
+    Vector mean(begin_velocity);
+    mean.zero_out_ghost_values();
+    mean.sadd(.5, .5, parts->flow.velocity());
+    parts->space.interpolate(mean, dim);
+    parts->space.copy_to_cells(mean, mean_velocity);
+    return mean_velocity;
+  }
+
+
+
+  template <int dim>
   unsigned int
   SingleFluidPfem2<dim>::n_given_corrections() const
   {
@@ -231,6 +250,8 @@ namespace Thalweg
     parts->forces.set_time(time + .5 * dt);
     for (const char *column : {"pressure iterations", "viscous iterations"})
       parts->context.statistics.set(column, 0);
+    begin_velocity.copy_locally_owned_data_from(parts->flow.velocity());
+    has_begun = true;
     flow->start_step(time, dt);
     if (n_given_corrections() + maximal_corrections > 0)
       particles_at_start.save(parts->population);

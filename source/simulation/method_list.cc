@@ -146,7 +146,7 @@ namespace Thalweg
   SolutionView<dim>
   MethodList<dim>::view(const Mesh<dim> &mesh, const Moment &moment) const
   {
-    SolutionView<dim> solution{mesh, moment, {}};
+    SolutionView<dim> solution{mesh, moment, {}, &ports};
     for (const Entry &entry : used())
       entry.method->publish(entry.name, solution);
     return solution;

@@ -52,6 +52,20 @@ namespace Thalweg
                                "; there " + inventory() + ".");
     }
 
+    /// All that are offered under the name @p thing, by the names of the
+    /// parts.
+    template <typename T>
+    std::map<std::string, T *>
+    all(const std::string &thing) const
+    {
+      std::map<std::string, T *> found;
+      for (const auto &[part, things] : offers)
+        if (const auto offer = things.find(thing); offer != things.end())
+          if (T *const *object = std::any_cast<T *>(&offer->second))
+            found[part] = *object;
+      return found;
+    }
+
   private:
     /// "is nothing", or a list of all.
     std::string

@@ -52,6 +52,12 @@ namespace Thalweg
     void
     repopulate_cells() override;
 
+    const CellVelocity<dim> &
+    convecting_velocity_of_cells() const override
+    {
+      return cell_velocity;
+    }
+
     std::unique_ptr<dealii::FunctionParser<dim>>
     parse() const;
 

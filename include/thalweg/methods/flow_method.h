@@ -5,6 +5,7 @@
 #include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/interface_flow.h>
 #include <thalweg/methods/method.h>
+#include <thalweg/particles/streamlines.h>
 
 namespace Thalweg
 {
@@ -13,7 +14,7 @@ namespace Thalweg
    * InterfaceFlow, and differ in the fields they add and in how they advance.
    */
   template <int dim>
-  class FlowMethod : public Method<dim>
+  class FlowMethod : public Method<dim>, public Streamlines<dim>
   {
   public:
     /// @param computes_flow whether the method does, so that given velocities
@@ -51,6 +52,12 @@ namespace Thalweg
 
     void
     attach() final;
+
+    void
+    offer(Ports &ports) const final;
+
+    StreamlineWalk<dim>
+    streamlines() const final;
 
     void
     initialize() final;
@@ -124,6 +131,10 @@ namespace Thalweg
     virtual void
     repopulate_cells() = 0;
 
+    /// The velocity that particles followed in the last step, cell by cell.
+    virtual const CellVelocity<dim> &
+    convecting_velocity_of_cells() const = 0;
+
     /// The time of the flow's velocity, in s, when the last step has ended
     /// at @p time: later where velocities are staggered.
     virtual double
@@ -137,6 +148,7 @@ namespace Thalweg
 
   private:
     FlowParameters<dim>                 parameters;
+    std::string                         name;
     std::unique_ptr<InterfaceFlow<dim>> flow;
     /// By how many the particles became more before the present step.
     double n_new_particles = 0.;

@@ -49,6 +49,12 @@ namespace Thalweg
     void
     repopulate_cells() override;
 
+    const CellVelocity<dim> &
+    convecting_velocity_of_cells() const override
+    {
+      return cell_velocity;
+    }
+
     bool
     has_energy_budget() const override
     {

@@ -58,6 +58,9 @@ namespace Thalweg
     void
     repopulate_cells() override;
 
+    const CellVelocity<dim> &
+    convecting_velocity_of_cells() const override;
+
     /// The largest Fourier number with which steps are stable (Eq. 65).
     double
     fourier_limit() const;
@@ -92,6 +95,10 @@ namespace Thalweg
     PopulationSnapshot<dim>               particles_at_start;
     PathFields<dim>                       path;
     Vector begin_acceleration, end_acceleration, velocity_star;
+    Vector begin_velocity;                   ///< at the vertices
+    mutable CellVelocity<dim> mean_velocity; ///< for others that go along
+    /// Whether there was a step on this mesh.
+    bool has_begun = false;
     /// Of the present pass.
     ConvectionReport report;
     unsigned int     n_added = 0;

@@ -2,6 +2,7 @@
 #ifndef thalweg_methods_solution_view_h
 #define thalweg_methods_solution_view_h
 
+#include <thalweg/core/ports.h>
 #include <thalweg/core/section.h>
 #include <thalweg/methods/flow_view.h>
 
@@ -91,6 +92,8 @@ namespace Thalweg
     const Mesh<dim>      &mesh;
     Moment                moment;
     ByName<FlowView<dim>> flows;
+    /// What methods offer; nullptr: nothing.
+    const Ports *ports = nullptr;
 
     /// That of a method, or the first. @throws dealii::ExcMessage
     const FlowView<dim> &

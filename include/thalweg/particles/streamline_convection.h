@@ -181,6 +181,10 @@ namespace Thalweg
                const CellField<dim, 1>               &level_set,
                const double                           dt) const;
 
+    /// For others that go along. @param direction 1, or -1 against the velocity
+    StreamlineWalk<dim>
+    walk(const CellVelocity<dim> &velocity, const double direction) const;
+
     const Mesh<dim> &
     mesh() const
     {
@@ -192,9 +196,6 @@ namespace Thalweg
     /// Collective.
     bool
     are_none(const std::size_t n) const;
-
-    StreamlineWalk<dim>
-    walk(const CellVelocity<dim> &velocity, const double direction) const;
 
     const Mesh<dim>    &mesh_;
     const WalkSettings  settings;

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/methods/tracer_view.h>
+#include <thalweg/particles/cell_maps.h>
+#include <thalweg/postprocess/csv_file.h>
+#include <thalweg/postprocess/postprocessor.h>
+#include <thalweg/postprocess/pvd_record.h>
+#include <thalweg/postprocess/schedule.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// The tracers of all methods that have some, by the methods' names.
+    template <int dim>
+    std::map<std::string, const TracerView<dim> *>
+    all_tracers(const SolutionView<dim> &solution, const std::string &model)
+    {
+      std::map<std::string, const TracerView<dim> *> all;
+      if (solution.ports != nullptr)
+        all = solution.ports->template all<const TracerView<dim>>("tracers");
+      AssertThrow(!all.empty(),
+                  dealii::ExcMessage(
+                    "No method of this run has tracers. Take '" + model +
+                    "' out of 'Postprocess/Models', or add a method to "
+                    "'Methods/Names': 'dye: tracers'."));
+      return all;
+    }
+
+
+
+    /// The name of a method as that of a file.
+    std::string
+    as_file_name(std::string name)
+    {
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    }
+
+
+
+    /// Tracers as points with numbers.
+    template <int dim>
+    class TracerPatches : public dealii::DataOutInterface<0, dim>
+    {
+    public:
+      using Patch = dealii::DataOutBase::Patch<0, dim>;
+
+      TracerPatches(const TracerCloud<dim> &cloud, const double time)
+      {
+        const CellMaps<dim> maps(cloud.mesh().graph());
+        patches.resize(cloud.members().size());
+        for (std::size_t i = 0; i < patches.size(); ++i)
+          {
+            const auto &[walker, tracer] = cloud.members()[i];
+            const auto place  = maps.to_space(walker.cell, walker.reference);
+            Patch     &patch  = patches[i];
+            patch.patch_index = i;
+            patch.data.reinit(2 + dim, 1);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                patch.vertices[0][d] = place[d];
+                patch.data(2 + d, 0) = tracer.origin[d];
+              }
+            patch.data(0, 0) = tracer.id;
+            patch.data(1, 0) = time - tracer.released;
+          }
+      }
+
+    private:
+      const std::vector<Patch> &
+      get_patches() const override
+      {
+        return patches;
+      }
+
+      std::vector<std::string>
+      get_dataset_names() const override
+      {
+        std::vector<std::string> names{"id", "age"};
+        for (unsigned int d = 0; d < dim; ++d)
+          names.push_back(std::string("origin_") + "xyz"[d]);
+        return names;
+      }
+
+      std::vector<Patch> patches;
+    };
+
+
+
+    /// Tracers for ParaView.
+    template <int dim>
+    class TracerOutput : public Postprocessor<dim>
+    {
+    public:
+      void
+      declare_parameters(const Section &section) override
+      {
+        schedule.declare_parameters(section, "files");
+      }
+
+      void
+      initialize(Context &context, const SolutionView<dim> &solution) override
+      {
+        for (const auto &[name, tracers] : all_tracers(solution, "tracers"))
+          records[name].open(context, as_file_name(name));
+      }
+
+      void
+      execute(Context &context, const SolutionView<dim> &solution) override
+      {
+        const Moment &now = solution.moment;
+        if (!schedule.is_due(now.time, now.last_step))
+          return;
+        for (const auto &[name, tracers] : all_tracers(solution, "tracers"))
+          {
+            TracerPatches<dim> patches(tracers->cloud, now.time);
+            records.at(name).write(context, patches, now.time, now.step);
+          }
+      }
+
+      void
+      keep(const State<dim> &state) override
+      {
+        schedule.keep(state.values());
+        for (auto &[name, record] : records)
+          record.keep(state.values().enter(name),
+                      schedule.was_due_for_the_end());
+      }
+
+    private:
+      Schedule                         schedule{.05};
+      std::map<std::string, PvdRecord> records;
+    };
+
+
+
+    /// A row for each tracer that leaves.
+    template <int dim>
+    class TracerExits : public Postprocessor<dim>
+    {
+    public:
+      void
+      declare_parameters(const Section &) override
+      {}
+
+      void
+      initialize(Context &context, const SolutionView<dim> &solution) override
+      {
+        std::vector<std::string> columns{"time [s]",
+                                         "tracer",
+                                         "residence time [s]",
+                                         "boundary"};
+        for (const char *what : {"", "origin "})
+          for (unsigned int d = 0; d < dim; ++d)
+            columns.push_back(std::string(what) + "xyz"[d] + " [m]");
+        for (const auto &[name, tracers] :
+             all_tracers(solution, "tracer exits"))
+          files[name].open(context, as_file_name(name) + "_exits.csv", columns);
+      }
+
+      void
+      execute(Context &context, const SolutionView<dim> &solution) override
+      {
+        for (const auto &[name, tracers] :
+             all_tracers(solution, "tracer exits"))
+          files.at(name).write_rows(context,
+                                    rows(context.communicator, *tracers));
+      }
+
+      void
+      keep(const State<dim> &state) override
+      {
+        for (auto &[name, file] : files)
+          file.keep(state.values().enter(name));
+      }
+
+    private:
+      /// Of all ranks, in the order of time and number.
+      static std::vector<std::vector<double>>
+      rows(const MPI_Comm communicator, const TracerView<dim> &tracers)
+      {
+        std::vector<std::vector<double>> own, all;
+        for (const TracerExit<dim> &exit : tracers.exits)
+          {
+            std::vector<double> row{exit.time,
+                                    static_cast<double>(exit.tracer.id),
+                                    exit.time - exit.tracer.released,
+                                    static_cast<double>(exit.boundary)};
+            row.insert(row.end(), exit.place.begin(), exit.place.end());
+            row.insert(row.end(),
+                       exit.tracer.origin.begin(),
+                       exit.tracer.origin.end());
+            own.push_back(row);
+          }
+        for (const auto &of_rank :
+             dealii::Utilities::MPI::gather(communicator, own))
+          all.insert(all.end(), of_rank.begin(), of_rank.end());
+        std::sort(all.begin(), all.end());
+        return all;
+      }
+
+      std::map<std::string, CsvFile> files;
+    };
+  } // namespace
+
+  THALWEG_REGISTER(Postprocessor,
+                   TracerOutput,
+                   "tracers",
+                   "tracers with their number, age and origin, for ParaView; "
+                   "writes METHOD.pvd.")
+  THALWEG_REGISTER(Postprocessor,
+                   TracerExits,
+                   "tracer exits",
+                   "a row for each tracer that leaves the domain: when, after "
+                   "what time, through which boundary, from where; writes "
+                   "METHOD_exits.csv.")
+} // namespace Thalweg

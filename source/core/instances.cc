@@ -28,11 +28,11 @@ namespace Thalweg
       if (std::find(models.begin(), models.end(), instance.model) !=
           models.end())
         return;
-      throw dealii::ExcMessage(
-        "In '" + where + "' '" + excerpt(instance.name) + "' is to be a '" +
-        excerpt(instance.model) + "', and the models are '" +
-        joined(models, "', '") + "'" +
-        did_you_mean(nearest(instance.model, models)) + ".");
+      throw dealii::ExcMessage("In '" + where + "' '" + excerpt(instance.name) +
+                               "' is to be a '" + excerpt(instance.model) +
+                               "', and the models are '" +
+                               joined(models, "', '") + "'" +
+                               did_you_mean(nearest(instance.model, models)));
     }
   } // namespace
 

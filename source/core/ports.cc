@@ -9,7 +9,8 @@ namespace Thalweg
     std::string all;
     for (const auto &[part, things] : offers)
       for (const auto &[thing, object] : things)
-        all += (all.empty() ? "is '" : ", '") + thing + "' of '" + part + "'";
-    return all.empty() ? "is nothing" : all;
+        all += (all.empty() ? "what there is: '" : ", '") + thing + "'" +
+               (part.empty() ? "" : " of '" + part + "'");
+    return all.empty() ? "there is nothing yet" : all;
   }
 } // namespace Thalweg

@@ -128,12 +128,8 @@ namespace Thalweg
   FlowMethod<dim>::streamlines() const
   {
     const CellVelocity<dim> &velocity = convecting_velocity_of_cells();
-    AssertThrow(velocity.size() == parts->mesh.graph().n_cells(),
-                dealii::ExcMessage(
-                  "The method that follows the velocity of '" + name +
-                  "' stands before it in 'Methods/Names', but needs the "
-                  "velocity of the same step. Write it behind '" + name +
-                  "'."));
+    Assert(velocity.size() == parts->mesh.graph().n_cells(),
+           dealii::ExcMessage("No step has been made on this mesh."));
     return parts->convection.walk(velocity, 1.);
   }
 

@@ -33,6 +33,12 @@ namespace Thalweg
       check(std::vector<std::string> &faults) const override;
 
       void
+      publish(const std::string &, RunOutline<dim> &outline) const override
+      {
+        outline.offered.insert("tracers");
+      }
+
+      void
       create(const Host<dim> &host_) override
       {
         host    = std::make_unique<Host<dim>>(host_);
@@ -42,7 +48,10 @@ namespace Thalweg
 
       void
       attach() override
-      {}
+      {
+        // At the start only those before this one have offered something.
+        velocity();
+      }
 
       void
       offer(Ports &ports) const override
@@ -52,6 +61,8 @@ namespace Thalweg
 
       void
       initialize() override;
+
+      using Method<dim>::publish;
 
       void
       clear() override
@@ -84,6 +95,14 @@ namespace Thalweg
       }
 
     private:
+      /// What the tracers follow. @throws dealii::ExcMessage without it
+      const Streamlines<dim> &
+      velocity() const
+      {
+        return host->ports.template get<const Streamlines<dim>>(
+          flow, "streamlines", who() + ", in 'Methods/Names' behind a flow,");
+      }
+
       /// When the release number @p n is, s; infinity: never.
       double
       time_of_release(const unsigned int n) const;
@@ -233,6 +252,7 @@ namespace Thalweg
     void
     Tracers<dim>::initialize()
     {
+      attach();
       chosen_spacing =
         spacing > 0.
           ? spacing
@@ -270,12 +290,9 @@ namespace Thalweg
     {
       dealii::TimerOutput::Scope scope(host->context.timers, "tracers");
       const MPI_Comm             communicator = host->context.communicator;
-      const auto                &velocity =
-        host->ports.template get<const Streamlines<dim>>(flow,
-                                                         "streamlines",
-                                                         who());
       release_until(time + dt);
-      auto report = tracers->cloud.move(velocity.streamlines(), dt, time + dt);
+      auto report =
+        tracers->cloud.move(velocity().streamlines(), dt, time + dt);
       double time_inside = 0.;
       for (const auto &exit : report.exits)
         time_inside += exit.time - exit.tracer.released;

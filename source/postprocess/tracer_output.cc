@@ -15,20 +15,26 @@ namespace Thalweg
 {
   namespace
   {
-    /// The tracers of all methods that have some, by the methods' names.
+    /// Refuses a run without tracers.
     template <int dim>
-    std::map<std::string, const TracerView<dim> *>
-    all_tracers(const SolutionView<dim> &solution, const std::string &model)
+    void
+    check_tracers(const RunOutline<dim> &outline, const std::string &model)
     {
-      std::map<std::string, const TracerView<dim> *> all;
-      if (solution.ports != nullptr)
-        all = solution.ports->template all<const TracerView<dim>>("tracers");
-      AssertThrow(!all.empty(),
+      AssertThrow(outline.offered.count("tracers") > 0,
                   dealii::ExcMessage(
                     "No method of this run has tracers. Take '" + model +
                     "' out of 'Postprocess/Models', or add a method to "
                     "'Methods/Names': 'dye: tracers'."));
-      return all;
+    }
+
+
+
+    /// The tracers of all methods that have some, by the methods' names.
+    template <int dim>
+    std::map<std::string, const TracerView<dim> *>
+    all_tracers(const SolutionView<dim> &solution)
+    {
+      return solution.ports->template all<const TracerView<dim>>("tracers");
     }
 
 
@@ -104,9 +110,15 @@ namespace Thalweg
       }
 
       void
+      check(const RunOutline<dim> &outline) const override
+      {
+        check_tracers(outline, "tracers");
+      }
+
+      void
       initialize(Context &context, const SolutionView<dim> &solution) override
       {
-        for (const auto &[name, tracers] : all_tracers(solution, "tracers"))
+        for (const auto &[name, tracers] : all_tracers(solution))
           records[name].open(context, as_file_name(name));
       }
 
@@ -116,7 +128,7 @@ namespace Thalweg
         const Moment &now = solution.moment;
         if (!schedule.is_due(now.time, now.last_step))
           return;
-        for (const auto &[name, tracers] : all_tracers(solution, "tracers"))
+        for (const auto &[name, tracers] : all_tracers(solution))
           {
             TracerPatches<dim> patches(tracers->cloud, now.time);
             records.at(name).write(context, patches, now.time, now.step);
@@ -149,6 +161,12 @@ namespace Thalweg
       {}
 
       void
+      check(const RunOutline<dim> &outline) const override
+      {
+        check_tracers(outline, "tracer exits");
+      }
+
+      void
       initialize(Context &context, const SolutionView<dim> &solution) override
       {
         std::vector<std::string> columns{"time [s]",
@@ -158,16 +176,14 @@ namespace Thalweg
         for (const char *what : {"", "origin "})
           for (unsigned int d = 0; d < dim; ++d)
             columns.push_back(std::string(what) + "xyz"[d] + " [m]");
-        for (const auto &[name, tracers] :
-             all_tracers(solution, "tracer exits"))
+        for (const auto &[name, tracers] : all_tracers(solution))
           files[name].open(context, as_file_name(name) + "_exits.csv", columns);
       }
 
       void
       execute(Context &context, const SolutionView<dim> &solution) override
       {
-        for (const auto &[name, tracers] :
-             all_tracers(solution, "tracer exits"))
+        for (const auto &[name, tracers] : all_tracers(solution))
           files.at(name).write_rows(context,
                                     rows(context.communicator, *tracers));
       }

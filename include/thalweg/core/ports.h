@@ -47,9 +47,9 @@ namespace Thalweg
           if (const auto found = things.find(thing); found != things.end())
             if (T *const *object = std::any_cast<T *>(&found->second))
               return **object;
-      throw dealii::ExcMessage(who + " needs a '" + thing + "'" +
+      throw dealii::ExcMessage(who + " needs '" + thing + "'" +
                                (part.empty() ? "" : " of '" + part + "'") +
-                               "; there " + inventory() + ".");
+                               "; " + inventory() + ".");
     }
 
     /// All that are offered under the name @p thing, by the names of the
@@ -67,7 +67,7 @@ namespace Thalweg
     }
 
   private:
-    /// "is nothing", or a list of all.
+    /// "there is nothing yet", or a list of all.
     std::string
     inventory() const;
 

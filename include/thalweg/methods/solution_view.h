@@ -9,6 +9,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <list>
+#include <set>
 #include <string>
 
 namespace Thalweg
@@ -76,6 +77,8 @@ namespace Thalweg
     /// sides does not.
     bool                     fills_domain = true;
     ByName<FlowOutline<dim>> flows;
+    /// What methods will offer, see Ports.
+    std::set<std::string> offered{};
 
     /// That of a method, or the first. @throws dealii::ExcMessage
     const FlowOutline<dim> &

@@ -105,6 +105,17 @@ namespace Thalweg
 
   template <int dim>
   void
+  FlowMethod<dim>::release()
+  {
+    release_fields();
+    parts.reset();
+    flow.reset();
+  }
+
+
+
+  template <int dim>
+  void
   FlowMethod<dim>::attach()
   {
     flow->build();

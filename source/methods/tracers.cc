@@ -47,6 +47,12 @@ namespace Thalweg
       }
 
       void
+      release() override
+      {
+        tracers.reset();
+      }
+
+      void
       attach() override
       {
         // At the start only those before this one have offered something.

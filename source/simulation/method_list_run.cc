@@ -19,6 +19,17 @@ namespace Thalweg
 
   template <int dim>
   void
+  MethodList<dim>::release()
+  {
+    ports = {};
+    for (const Entry &entry : used())
+      entry.method->release();
+  }
+
+
+
+  template <int dim>
+  void
   MethodList<dim>::attach()
   {
     for (const Entry &entry : used())
@@ -171,6 +182,7 @@ namespace Thalweg
   template void MethodList<dim>::create(Context &,                             \
                                         Mesh<dim> &,                           \
                                         BodyForces<dim> &);                    \
+  template void MethodList<dim>::release();                                    \
   template void MethodList<dim>::attach();                                     \
   template void MethodList<dim>::initialize();                                 \
   template void MethodList<dim>::clear();                                      \

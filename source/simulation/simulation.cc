@@ -26,7 +26,11 @@ namespace Thalweg
 
 
   template <int dim>
-  Simulation<dim>::~Simulation() = default;
+  Simulation<dim>::~Simulation()
+  {
+    // Methods belong to the parameters, and the mesh goes before these.
+    methods.release();
+  }
 
 
 

@@ -31,6 +31,21 @@ namespace
                      section("dye", settings));
   }
 
+  /// Calls @p action with the place of each tracer and what it knows.
+  template <int dim, typename Action>
+  void
+  for_each_tracer(const RunCase<dim> &run, const Action &action)
+  {
+    const auto  view = run.simulation->view();
+    const auto &cloud =
+      view.ports
+        ->template get<const TracerView<dim>>("dye", "tracers", "A test")
+        .cloud;
+    const CellMaps<dim> maps(cloud.mesh().graph());
+    for (const auto &[walker, tracer] : cloud.members())
+      action(maps.to_space(walker.cell, walker.reference), tracer);
+  }
+
   std::string
   steps_of(const std::string &dt, const std::string &end)
   {
@@ -85,19 +100,12 @@ TEST(TracersMpi, TheyComeBackInAVortexThatTurnsBack)
             {"Integrator = rk4", "Substep Courant number = 0.01"}) +
     steps_of("0.1", "2"));
   EXPECT_GT(run.last("water: Courant number"), 1.);
-  double      farthest = 0.;
-  const auto &tracers =
-    run.simulation->view().ports->get<const TracerView<2>>("dye",
-                                                           "tracers",
-                                                           "A test");
-  const CellMaps<2> maps(tracers.cloud.mesh().graph());
-  for (const auto &[walker, tracer] : tracers.cloud.members())
-    {
-      const auto place = maps.to_space(walker.cell, walker.reference);
-      farthest         = std::max(farthest,
-                          std::hypot(place[0] - tracer.origin[0],
-                                     place[1] - tracer.origin[1]));
-    }
+  double farthest = 0.;
+  for_each_tracer<2>(run, [&](const auto &place, const auto &tracer) {
+    farthest = std::max(farthest,
+                        std::hypot(place[0] - tracer.origin[0],
+                                   place[1] - tracer.origin[1]));
+  });
   EXPECT_LT(dealii::Utilities::MPI::max(farthest, MPI_COMM_WORLD), 1e-6);
   EXPECT_EQ(run.last("dye: tracers"), 2500.);
 }
@@ -128,17 +136,10 @@ TEST(TracersMpi, ReleasesAreInTheMidstOfStepsAndMeshesMayChange)
   EXPECT_EQ(run.last("dye: tracers"), 24.);
   EXPECT_NEAR(run.last("dye: mean age [s]"), .8 - .35, 1e-12);
   EXPECT_GT(run.last("adaptations"), 2.);
-  const auto &tracers =
-    run.simulation->view().ports->get<const TracerView<2>>("dye",
-                                                           "tracers",
-                                                           "A test");
-  const CellMaps<2> maps(tracers.cloud.mesh().graph());
-  for (const auto &[walker, tracer] : tracers.cloud.members())
-    {
-      const auto place = maps.to_space(walker.cell, walker.reference);
-      EXPECT_NEAR(place[0] - tracer.origin[0], .8 - tracer.released, 1e-12);
-      EXPECT_NEAR(place[1], tracer.origin[1], 1e-12);
-    }
+  for_each_tracer<2>(run, [&](const auto &place, const auto &tracer) {
+    EXPECT_NEAR(place[0] - tracer.origin[0], .8 - tracer.released, 1e-12);
+    EXPECT_NEAR(place[1], tracer.origin[1], 1e-12);
+  });
 }
 
 
@@ -162,16 +163,9 @@ TEST(TracersMpi, TheyFollowAFlowThatIsComputed)
                   section("dye", {"Region = 0.3 - x", "Spacing = 0.1"})) +
         steps_of("0.1", "0.5"));
       EXPECT_EQ(run.last("dye: tracers"), 300.) << model;
-      const auto &tracers =
-        run.simulation->view().ports->get<const TracerView<3>>("dye",
-                                                               "tracers",
-                                                               "A test");
-      const CellMaps<3> maps(tracers.cloud.mesh().graph());
-      for (const auto &[walker, tracer] : tracers.cloud.members())
-        EXPECT_NEAR(maps.to_space(walker.cell, walker.reference)[0],
-                    tracer.origin[0] + .25,
-                    1e-6)
-          << model;
+      for_each_tracer<3>(run, [&](const auto &place, const auto &tracer) {
+        EXPECT_NEAR(place[0], tracer.origin[0] + .25, 1e-6) << model;
+      });
     }
 }
 

@@ -38,6 +38,12 @@ namespace
     }
 
     void
+    release() override
+    {
+      space.reset();
+    }
+
+    void
     attach() override
     {
       space = std::make_unique<NodeSpace<2>>(host->mesh);

@@ -51,6 +51,9 @@ namespace Thalweg
     create(const Host<dim> &host) final;
 
     void
+    release() final;
+
+    void
     attach() final;
 
     void
@@ -122,6 +125,11 @@ namespace Thalweg
     /// Prepares the first step.
     virtual void
     initialize_fields(const typename InterfaceFlow<dim>::Start &start) = 0;
+
+    /// Lets go of what attach_fields() made, as far as it knows the mesh.
+    virtual void
+    release_fields()
+    {}
 
     /// Names the method's own state.
     virtual void

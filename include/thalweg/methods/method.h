@@ -82,10 +82,15 @@ namespace Thalweg
     publish(const std::string &, RunOutline<dim> &) const
     {}
 
-    /// Once a run, when the mesh exists. What @p host refers to outlives the
-    /// method's use.
+    /// Once a run, when the mesh exists. What @p host refers to lives until
+    /// release().
     virtual void
     create(const Host<dim> &host) = 0;
+
+    /// Lets go of all that stands on the mesh, which is about to vanish.
+    virtual void
+    release()
+    {}
 
     /// Sets up for the present mesh, with zero fields; once for each mesh. What
     /// sits in cells stays. Collective.

@@ -58,6 +58,12 @@ namespace Thalweg
     void
     repopulate_cells() override;
 
+    void
+    release_fields() override
+    {
+      flow.reset();
+    }
+
     const CellVelocity<dim> &
     convecting_velocity_of_cells() const override;
 

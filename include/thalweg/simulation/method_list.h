@@ -52,6 +52,9 @@ namespace Thalweg
     create(Context &context, Mesh<dim> &mesh, BodyForces<dim> &forces);
 
     void
+    release();
+
+    void
     attach();
 
     void

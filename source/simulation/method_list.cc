@@ -8,6 +8,17 @@ namespace Thalweg
   namespace
   {
     const std::string usual_method = "pfem2";
+
+
+    /// Appends texts with a prefix to a list.
+    void
+    append(const std::vector<std::string> &texts,
+           const std::string              &prefix,
+           std::vector<std::string>       &list)
+    {
+      for (const std::string &text : texts)
+        list.push_back(prefix + text);
+    }
   } // namespace
 
 
@@ -81,8 +92,7 @@ namespace Thalweg
       {
         std::vector<std::string> own;
         entry.method->check(own);
-        for (const std::string &fault : own)
-          faults.push_back(entry.prefix() + fault);
+        append(own, entry.prefix(), faults);
       }
   }
 
@@ -97,8 +107,7 @@ namespace Thalweg
       {
         std::vector<std::string> own;
         entry.method->check_on_mesh(coarse, own);
-        for (const std::string &fault : own)
-          faults.push_back(entry.prefix() + fault);
+        append(own, entry.prefix(), faults);
       }
   }
 
@@ -160,8 +169,7 @@ namespace Thalweg
   {
     std::vector<std::string> all;
     for (const Entry &entry : used())
-      for (const std::string &column : entry.method->columns())
-        all.push_back(entry.prefix() + column);
+      append(entry.method->columns(), entry.prefix(), all);
     return all;
   }
 

@@ -2,7 +2,6 @@
 #ifndef thalweg_methods_advection_h
 #define thalweg_methods_advection_h
 
-
 #include <thalweg/methods/flow_method.h>
 
 #include <deal.II/base/function_parser.h>

@@ -93,29 +93,11 @@ namespace Thalweg
     void
     warn_at_start() const;
 
-    const Population<dim> &
-    particles() const
-    {
-      return population;
-    }
-
     /// Drops and bubbles; nullptr where there can be none.
     const Population<dim> *
     dispersed() const
     {
       return dispersed_phase ? &dispersed_ : nullptr;
-    }
-
-    const NodeSpace<dim> &
-    nodes() const
-    {
-      return *space;
-    }
-
-    const PhaseField<dim> &
-    phases() const
-    {
-      return *phase;
     }
 
   private:

@@ -10,7 +10,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/particles/particle_handler.h>
 
 #include <algorithm>
 #include <array>

@@ -110,8 +110,7 @@ namespace Thalweg
     Load load;
     for (const auto &[name, flow] : solution.flows)
       {
-        load.n_particles += flow.population.handler().n_particles_in_cell(
-          solution.mesh.graph().iterator(cell));
+        load.n_particles += flow.population.n_in_cell(cell);
         const auto phi = cell_level_set(flow, cell);
         const auto [smallest, largest] =
           std::minmax_element(phi.begin(), phi.end());

@@ -97,12 +97,10 @@ namespace Thalweg
                    const bool           is_negative)
     {
       Corners<dim> box = nothing<dim>();
-      for (const auto &particle :
-           solution.population.handler().particles_in_cell(
-             solution.mesh.graph().iterator(c)))
-        if ((Population<dim>::fluid_of(particle.get_properties()) == 0) !=
+      for (const auto &particle : solution.population.in_cell(c))
+        if ((Population<dim>::fluid_of(particle.properties()) == 0) !=
             is_negative)
-          include(box, particle.get_location());
+          include(box, particle.position());
       return box;
     }
 

@@ -99,6 +99,7 @@ namespace Thalweg
     name                           = host.name;
     host.context.has_energy_budget = parameters.energy_budget;
     flow = std::make_unique<InterfaceFlow<dim>>(parameters, host);
+    host.ports.template offer<ParticleHost<dim>>(name, "particles", *this);
   }
 
 

@@ -220,6 +220,16 @@ namespace Thalweg
 
 
   template <int dim>
+  unsigned int
+  InterfaceFlow<dim>::add_property(const std::string &name)
+  {
+    dispersed_.add_property(name);
+    return population.add_property(name);
+  }
+
+
+
+  template <int dim>
   Parts<dim>
   InterfaceFlow<dim>::parts()
   {

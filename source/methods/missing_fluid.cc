@@ -36,8 +36,8 @@ namespace Thalweg
     if (fluids.size() < 2)
       return "";
     std::array<unsigned int, 2> is_there{};
-    for (const auto &particle : population.handler())
-      is_there[Population<dim>::fluid_of(particle.get_properties())] = 1;
+    for (const auto &particle : population.particles())
+      is_there[Population<dim>::fluid_of(particle.properties())] = 1;
     const MPI_Comm communicator =
       population.mesh().triangulation().get_communicator();
     for (const unsigned int fluid : {0, 1})

@@ -78,9 +78,9 @@ namespace Thalweg
                            Energies              &energies) const
   {
     const dealii::Point<dim> reference = parts.mesh.box().first;
-    for (const auto &particle : population.handler())
+    for (const auto &particle : population.particles())
       {
-        const auto         properties = particle.get_properties();
+        const auto         properties = particle.properties();
         const unsigned int fluid      = Population<dim>::fluid_of(properties);
         const double       mass = parts.fluids.of_particle(fluid).density *
                             properties[Population<dim>::volume_offset];
@@ -89,7 +89,7 @@ namespace Thalweg
           square += v * v;
         energies[2 * fluid] += .5 * mass * square;
         energies[2 * fluid + 1] -=
-          mass * (gravity * (particle.get_location() - reference));
+          mass * (gravity * (particle.position() - reference));
       }
   }
 

@@ -30,20 +30,17 @@ namespace Thalweg
     /// The particles of a face's cell in the order in which they come to the
     /// face.
     template <int dim>
-    std::vector<typename Population<dim>::Iterator>
+    std::vector<typename Population<dim>::Particle>
     nearest_first(Population<dim> &population, const Face<dim> &face)
     {
-      std::vector<typename Population<dim>::Iterator> particles;
-      const auto in_cell = population.handler().particles_in_cell(
-        population.mesh().graph().iterator(face.cell));
-      for (auto particle = in_cell.begin(); particle != in_cell.end();
-           ++particle)
+      std::vector<typename Population<dim>::Particle> particles;
+      for (const auto &particle : population.in_cell(face.cell))
         particles.push_back(particle);
       std::sort(particles.begin(),
                 particles.end(),
                 [&](const auto &a, const auto &b) {
-                  const auto &x  = a->get_reference_location();
-                  const auto &y  = b->get_reference_location();
+                  const auto &x  = a.reference();
+                  const auto &y  = b.reference();
                   const long  dx = rounded(depth<dim>(face, x));
                   const long  dy = rounded(depth<dim>(face, y));
                   return dx != dy ? dx < dy : stands_before(x, y);
@@ -76,15 +73,15 @@ namespace Thalweg
     std::array<unsigned int, 2>
     next_ones(
       const Face<dim>                                       &face,
-      const std::vector<typename Population<dim>::Iterator> &nearest_first)
+      const std::vector<typename Population<dim>::Particle> &nearest_first)
     {
       std::array<unsigned int, 2> n{};
       const auto                  distance = [&](const auto &particle) {
-        return rounded(depth<dim>(face, particle->get_reference_location()));
+        return rounded(depth<dim>(face, particle.reference()));
       };
       for (const auto &particle : nearest_first)
         if (distance(particle) <= distance(nearest_first[0]) + 1)
-          ++n[Population<dim>::fluid_of(particle->get_properties())];
+          ++n[Population<dim>::fluid_of(particle.properties())];
       return n;
     }
 
@@ -128,14 +125,14 @@ namespace Thalweg
   template <int dim>
   void
   BoundaryExchange<dim>::settle(
-    std::vector<typename Population<dim>::Iterator> &nearest_first,
+    std::vector<typename Population<dim>::Particle> &nearest_first,
     FaceAccount                                     &account,
     FluidVolumes                                    &out)
   {
     std::array<bool, 2> is_there{};
     for (auto &particle : nearest_first)
       {
-        auto               properties = particle->get_properties();
+        auto               properties = particle.properties();
         const unsigned int f          = Population<dim>::fluid_of(properties);
         double            &volume = properties[Population<dim>::volume_offset];
         const double       taken  = std::min(volume, account.owed[f]);
@@ -233,6 +230,7 @@ namespace Thalweg
     const double                   passed,
     const CellVelocity<dim>       &cell_velocity,
     const double                   dt,
+    const unsigned int             row_length,
     std::vector<NewParticle<dim>> &particles)
   {
     const auto        &face  = boundary.passable_faces()[number];
@@ -267,7 +265,7 @@ namespace Thalweg
               face.cell,
               before_face<dim>(face, square, per_d, .5 / per_d),
               time,
-              {}};
+              std::vector<double>(row_length, Population<dim>::unknown)};
             const auto on_face = before_face<dim>(face, square, per_d, 0.);
             const auto values =
               Q1::value<dim, dim>(cell_velocity[face.cell], on_face);
@@ -318,7 +316,13 @@ namespace Thalweg
         {
           accounts[i].waiting[f] += fluxes[i].in[f];
           counted.boundaries[faces[i].id].in[f] += fluxes[i].in[f];
-          fill_particles(i, f, fluxes[i].in[f], cell_velocity, dt, particles);
+          fill_particles(i,
+                         f,
+                         fluxes[i].in[f],
+                         cell_velocity,
+                         dt,
+                         population.row_length(),
+                         particles);
         }
     unsigned int n_new = 0;
     if (!counted.boundaries.empty())

@@ -11,47 +11,22 @@ namespace Thalweg
 {
   namespace
   {
-    template <int dim>
-    void
-    append_particle(std::vector<char>         &bytes,
-                    const ParticleRecord<dim> &particle)
-    {
-      append_plain(bytes, particle.id);
-      append_plain(bytes, particle.position);
-      append_plain(bytes, particle.reference);
-      append_plain(bytes, particle.properties);
-    }
-
-
-
-    template <int dim>
-    ParticleRecord<dim>
-    read_particle(PlainReader &reader)
-    {
-      ParticleRecord<dim> particle;
-      reader.read(particle.id);
-      reader.read(particle.position);
-      reader.read(particle.reference);
-      reader.read(particle.properties);
-      return particle;
-    }
-
-
-
     /// Whether a particle is in the cell between two corners, or near it, and
     /// carries numbers.
-    template <int dim>
+    template <typename Particle, int dim>
     bool
-    is_good(const ParticleRecord<dim> &particle,
-            const dealii::Point<dim>  &first,
-            const dealii::Point<dim>  &last)
+    is_good(const Particle           &particle,
+            const dealii::Point<dim> &first,
+            const dealii::Point<dim> &last)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        if (!(std::abs(particle.reference[d] - .5) <= 1.))
+        if (!(std::abs(particle.reference()[d] - .5) <= 1.))
           return false;
-      return particle.position.distance(first) <= 10. * first.distance(last) &&
-             std::all_of(particle.properties.begin(),
-                         particle.properties.end(),
+      const auto properties = particle.properties();
+      return particle.position().distance(first) <=
+               10. * first.distance(last) &&
+             std::all_of(properties.begin(),
+                         properties.end(),
                          [](const double value) {
                            return std::isfinite(value);
                          });
@@ -82,7 +57,7 @@ namespace Thalweg
   void
   CarriedPopulation<dim>::clear()
   {
-    population.handler().clear_particles();
+    population.clear();
   }
 
 
@@ -97,18 +72,22 @@ namespace Thalweg
     const bool            is_coarsened = fate == Compat::CellFate::is_coarsened;
     const unsigned int    n_sources    = is_coarsened ? cell->n_children() : 1u;
     const auto            source       = [&](const unsigned int c) {
-      return saved.in_cell(graph.index(is_coarsened ? cell->child(c) : cell));
+      return graph.index(is_coarsened ? cell->child(c) : cell);
     };
     std::uint32_t n = 0;
     for (unsigned int c = 0; c < n_sources; ++c)
-      n += source(c).size();
+      n += saved.n_in_cell(source(c));
     append_plain(bytes, n);
     for (unsigned int c = 0; c < n_sources; ++c)
-      for (ParticleRecord<dim> particle : source(c))
+      for (const auto &particle : saved.in_cell(source(c)))
         {
-          if (is_coarsened)
-            particle.reference = to_parent<dim>(particle.reference, c);
-          append_particle<dim>(bytes, particle);
+          append_plain(bytes, particle.id());
+          append_plain(bytes, particle.position());
+          append_plain(bytes,
+                       is_coarsened ? to_parent<dim>(particle.reference(), c)
+                                    : particle.reference());
+          for (const double property : particle.properties())
+            append_plain(bytes, property);
         }
   }
 
@@ -118,7 +97,9 @@ namespace Thalweg
   void
   CarriedPopulation<dim>::begin_to_unpack()
   {
-    received.assign(population.mesh().graph().n_owned_cells(), {});
+    population.clear();
+    received = ParticleRows<dim>(population.row_length());
+    cells.clear();
   }
 
 
@@ -131,32 +112,43 @@ namespace Thalweg
   {
     std::uint32_t n = 0;
     reader.read(n);
+    std::vector<double> row(population.row_length());
     for (std::uint32_t i = 0; i < n; ++i)
-      receive(read_particle<dim>(reader), cell, fate);
+      {
+        ParticleId         id;
+        ParticlePlace<dim> place;
+        reader.read(id);
+        reader.read(place.position);
+        reader.read(place.reference);
+        for (double &property : row)
+          reader.read(property);
+        cells.push_back(find_cell(cell, fate, place));
+        received.append(id, place, row.data());
+      }
   }
 
 
 
   template <int dim>
-  void
-  CarriedPopulation<dim>::receive(ParticleRecord<dim>    particle,
-                                  const CellIterator    &cell,
-                                  const Compat::CellFate fate)
+  unsigned int
+  CarriedPopulation<dim>::find_cell(const CellIterator    &cell,
+                                    const Compat::CellFate fate,
+                                    ParticlePlace<dim>    &place) const
   {
     const CellGraph<dim> &graph  = population.mesh().graph();
     CellIterator          target = cell;
     if (fate == Compat::CellFate::is_refined)
       {
-        const auto child   = sub_cell<dim>(particle.reference);
-        target             = cell->child(child);
-        particle.reference = from_parent<dim>(particle.reference, child);
+        const auto child = sub_cell<dim>(place.reference);
+        target           = cell->child(child);
+        place.reference  = from_parent<dim>(place.reference, child);
       }
     // Where boundaries are curved, children do not lie in their parents.
     const unsigned int index = graph.index(target);
     if (fate != Compat::CellFate::persists && !graph.cell(index).axis_parallel)
-      particle.position =
-        Q1::position<dim>(graph.cell(index).vertices, particle.reference);
-    received[index].push_back(particle);
+      place.position =
+        Q1::position<dim>(graph.cell(index).vertices, place.reference);
+    return index;
   }
 
 
@@ -165,13 +157,13 @@ namespace Thalweg
   void
   CarriedPopulation<dim>::check_unpacked() const
   {
-    for (unsigned int c = 0; c < received.size(); ++c)
+    for (unsigned int i = 0; i < cells.size(); ++i)
       {
-        const auto &vertices = population.mesh().graph().cell(c).vertices;
-        for (const ParticleRecord<dim> &particle : received[c])
-          AssertThrow(is_good(particle, vertices.front(), vertices.back()),
-                      dealii::ExcMessage("it has particles that cannot be "
-                                         "where it says."));
+        const auto &vertices =
+          population.mesh().graph().cell(cells[i]).vertices;
+        AssertThrow(is_good(received[i], vertices.front(), vertices.back()),
+                    dealii::ExcMessage("it has particles that cannot be "
+                                       "where it says."));
       }
   }
 
@@ -181,20 +173,9 @@ namespace Thalweg
   void
   CarriedPopulation<dim>::end_to_unpack()
   {
-    std::size_t n_particles = 0;
-    for (const auto &cell : received)
-      n_particles += cell.size();
-    clear();
-    population.handler().reserve(n_particles);
-    for (unsigned int c = 0; c < received.size(); ++c)
-      store_in_cell(population,
-                    c,
-                    received[c].size(),
-                    [&](const unsigned int k) -> const ParticleRecord<dim> & {
-                      return received[c][k];
-                    });
-    population.handler().update_cached_numbers();
-    received.clear();
+    population.replace(received, cells);
+    received = ParticleRows<dim>(population.row_length());
+    cells    = {};
   }
 
 

@@ -6,6 +6,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace Thalweg
 {
@@ -32,10 +33,9 @@ namespace Thalweg
         const unsigned int     cell,
         Content               &content)
     {
-      for (const auto &particle : population.handler().particles_in_cell(
-             population.mesh().graph().iterator(cell)))
+      for (const auto &particle : population.in_cell(cell))
         {
-          const auto         properties = particle.get_properties();
+          const auto         properties = particle.properties();
           const unsigned int fluid      = Population<dim>::fluid_of(properties);
           content.volumes[fluid] += properties[Population<dim>::volume_offset];
           ++content.numbers[fluid];
@@ -47,9 +47,9 @@ namespace Thalweg
     /// Adds what @p acceleration brings in @p time to a velocity.
     template <int dim>
     void
-    accelerate(std::array<double, Population<dim>::n_properties> &properties,
-               const std::array<double, dim>                     &acceleration,
-               const double                                       time)
+    accelerate(double *const                  properties,
+               const std::array<double, dim> &acceleration,
+               const double                   time)
     {
       for (unsigned int d = 0; d < dim; ++d)
         properties[Population<dim>::velocity_offset + d] +=
@@ -96,7 +96,7 @@ namespace Thalweg
         if (Population<dim>::fluid_of(particle.properties) == 0)
           {
             own = std::min(own, phi);
-            accelerate<dim>(particle.properties,
+            accelerate<dim>(particle.properties.data(),
                             dispersal.accelerations[i],
                             velocity_ahead - (dt - particle.time));
           }
@@ -134,18 +134,15 @@ namespace Thalweg
     const std::array<bool, 2> is_possible{{*most > far, *least < -far}};
     if (!is_possible[0] && !is_possible[1])
       return;
-    const auto inside =
-      particles.handler().particles_in_cell(graph.iterator(cell));
-    for (auto particle = inside.begin(); particle != inside.end(); ++particle)
+    for (const auto &particle : particles.in_cell(cell))
       {
         const unsigned int fluid =
-          Population<dim>::fluid_of(particle->get_properties());
+          Population<dim>::fluid_of(particle.properties());
         if (!is_possible[fluid])
           continue;
-        const double phi =
-          Q1::value<dim>(values, particle->get_reference_location());
+        const double phi = Q1::value<dim>(values, particle.reference());
         if (fluid == 0 ? phi > far : phi < -far)
-          migration.add(particle, cell);
+          migration.add(particle.index_in(particles.all()), cell);
       }
   }
 
@@ -170,53 +167,31 @@ namespace Thalweg
 
 
   template <int dim>
-  std::vector<ParticleRecord<dim>>
+  void
   DispersedPhase<dim>::take(Population<dim>            &population,
-                            const Migration            &migration,
+                            Migration                  &migration,
                             const DispersedMotion<dim> &motion,
                             const double                ahead)
   {
-    std::vector<ParticleRecord<dim>> records;
-    for (const Iterator &particle : migration.particles)
+    std::vector<unsigned int> cells;
+    for (unsigned int i = 0; i < migration.particles.size(); ++i)
       {
-        ParticleRecord<dim> record = record_of(*particle);
-        if (Population<dim>::fluid_of(record.properties) == 0)
-          accelerate<dim>(record.properties,
-                          motion.acceleration(record.position,
+        const auto particle   = population.all()[migration.particles[i]];
+        const auto properties = particle.properties();
+        // One that only marks the fluid is neither drop nor bubble.
+        if (!(properties[Population<dim>::volume_offset] > 0))
+          continue;
+        cells.push_back(migration.cells[i]);
+        double *const row = migration.rows.append(particle);
+        if (Population<dim>::fluid_of(properties) == 0)
+          accelerate<dim>(row,
+                          motion.acceleration(particle.position(),
                                               Population<dim>::velocity_of(
-                                                record.properties)),
+                                                properties)),
                           ahead);
-        records.push_back(record);
       }
-    const MPI_Comm communicator =
-      population.mesh().triangulation().get_communicator();
-    if (dealii::Utilities::MPI::max(records.size(), communicator) > 0)
-      population.handler().remove_particles(migration.particles);
-    return records;
-  }
-
-
-
-  template <int dim>
-  void
-  DispersedPhase<dim>::give(Population<dim>                        &population,
-                            const Migration                        &migration,
-                            const std::vector<ParticleRecord<dim>> &records)
-  {
-    const auto &mesh = population.mesh();
-    for (unsigned int i = 0; i < records.size(); ++i)
-      // One that only marks the fluid is neither drop nor bubble.
-      if (records[i].properties[Population<dim>::volume_offset] > 0)
-        population.handler().insert_particle(
-          records[i].position,
-          records[i].reference,
-          records[i].id,
-          mesh.graph().iterator(migration.cells[i]),
-          dealii::ArrayView<const double>(records[i].properties.data(),
-                                          records[i].properties.size()));
-    const MPI_Comm communicator = mesh.triangulation().get_communicator();
-    if (dealii::Utilities::MPI::max(records.size(), communicator) > 0)
-      population.handler().update_cached_numbers();
+    population.remove(migration.particles);
+    migration.cells.swap(cells);
   }
 
 
@@ -229,30 +204,27 @@ namespace Thalweg
                                 const double                velocity_ahead)
   {
     const auto &graph = population.mesh().graph();
-    Migration   going, coming, unseen;
+    Migration   going(particles), coming(population), unseen(particles);
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto dispersed =
-          population.handler().particles_in_cell(graph.iterator(c));
-        unseen = Migration();
+        const auto dispersed = std::as_const(population).in_cell(c);
+        unseen.clear();
         find_unseen(particles, c, level_set, unseen);
-        if (unseen.particles.empty() && dispersed.begin() == dispersed.end())
+        if (unseen.particles.empty() && dispersed.empty())
           continue;
         const auto stays = fill(particles, c);
-        const auto fluid = [](const auto &particle) {
-          return Population<dim>::fluid_of(particle->get_properties());
-        };
-        for (const Iterator &particle : unseen.particles)
-          if (!stays[fluid(particle)])
-            going.add(particle, c);
-        for (auto p = dispersed.begin(); p != dispersed.end(); ++p)
-          if (stays[fluid(p)])
-            coming.add(p, c);
+        for (const unsigned int p : unseen.particles)
+          if (!stays[Population<dim>::fluid_of(
+                std::as_const(particles).all()[p].properties())])
+            going.add(p, c);
+        for (const auto &particle : dispersed)
+          if (stays[Population<dim>::fluid_of(particle.properties())])
+            coming.add(particle.index_in(population.all()), c);
       }
-    const auto gone = take(particles, going, motion, -velocity_ahead);
-    const auto come = take(population, coming, motion, velocity_ahead);
-    give(population, going, gone);
-    give(particles, coming, come);
+    take(particles, going, motion, -velocity_ahead);
+    take(population, coming, motion, velocity_ahead);
+    population.insert(going.rows, going.cells);
+    particles.insert(coming.rows, coming.cells);
   }
 
 
@@ -280,9 +252,9 @@ namespace Thalweg
   DispersedPhase<dim>::volumes() const
   {
     std::array<double, 2> sums{};
-    for (const auto &particle : population.handler())
+    for (const auto &particle : population.particles())
       {
-        const auto properties = particle.get_properties();
+        const auto properties = particle.properties();
         sums[Population<dim>::fluid_of(properties)] +=
           properties[Population<dim>::volume_offset];
       }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/particles/belongings.h>
+#include <thalweg/particles/cell_order.h>
 #include <thalweg/particles/journey.h>
 #include <thalweg/particles/particle_journeys.h>
-#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/path_field.h>
 
 #include <deal.II/base/exceptions.h>
@@ -14,55 +15,20 @@ namespace Thalweg
 {
   namespace
   {
-    /// What a particle takes along.
-    template <int dim>
-    struct Particle
-    {
-      dealii::types::particle_index                     id;
-      std::array<double, Population<dim>::n_properties> properties;
-    };
+    template <typename Field>
+    using ParticleTraveller = Traveller<typename Field::WalkerType, Origin>;
 
-    template <int dim, typename Field>
-    using ParticleTraveller =
-      Traveller<typename Field::WalkerType, Particle<dim>>;
-
-    /// The numbers of the travellers that have arrived, cell by cell, and of
-    /// the others.
-    struct Arrivals
-    {
-      /// Of each cell and behind the last one.
-      std::vector<unsigned int> begin;
-      std::vector<unsigned int> travellers;
-      std::vector<unsigned int> missing;
-    };
-
+    /// The cells where travellers have arrived.
     template <typename TravellerType>
-    Arrivals
-    arrivals(const std::vector<TravellerType> &travellers,
-             const unsigned int                n_cells)
+    std::vector<unsigned int>
+    cells_of_arrival(const std::vector<TravellerType> &travellers)
     {
-      constexpr unsigned int nowhere = dealii::numbers::invalid_unsigned_int;
-      Arrivals               arrivals;
-      arrivals.begin.resize(n_cells + 1, 0);
-      std::vector<unsigned int> cells(travellers.size(), nowhere);
+      std::vector<unsigned int> cells(travellers.size(),
+                                      dealii::numbers::invalid_unsigned_int);
       for (unsigned int i = 0; i < travellers.size(); ++i)
         if (travellers[i].walker.fate == Fate::arrived)
-          {
-            cells[i] = travellers[i].walker.cell;
-            ++arrivals.begin[cells[i] + 1];
-          }
-        else
-          arrivals.missing.push_back(i);
-      for (unsigned int c = 0; c < n_cells; ++c)
-        arrivals.begin[c + 1] += arrivals.begin[c];
-
-      arrivals.travellers.resize(arrivals.begin[n_cells]);
-      std::vector<unsigned int> end(arrivals.begin.begin(),
-                                    arrivals.begin.end() - 1);
-      for (unsigned int i = 0; i < cells.size(); ++i)
-        if (cells[i] != nowhere)
-          arrivals.travellers[end[cells[i]]++] = i;
-      return arrivals;
+          cells[i] = travellers[i].walker.cell;
+      return cells;
     }
 
     template <int dim>
@@ -77,15 +43,16 @@ namespace Thalweg
     }
 
     /// Counts one that did not arrive.
-    template <int dim, typename TravellerType>
+    template <int dim, typename WalkerType>
     void
-    count_missing(const CellGraph<dim> &graph,
-                  const TravellerType  &traveller,
-                  ConvectionReport     &report)
+    count_missing(const CellGraph<dim>                  &graph,
+                  const WalkerType                      &walker,
+                  const ParticleId                       id,
+                  const dealii::ArrayView<const double> &properties,
+                  ConvectionReport                      &report)
     {
-      const auto &[walker, particle] = traveller;
-      const unsigned int fluid = Population<dim>::fluid_of(particle.properties);
-      const double volume = particle.properties[Population<dim>::volume_offset];
+      const unsigned int fluid  = Population<dim>::fluid_of(properties);
+      const double       volume = properties[Population<dim>::volume_offset];
       if (walker.fate == Fate::left)
         {
           ++report.left[walker.boundary][fluid];
@@ -95,133 +62,144 @@ namespace Thalweg
         {
           ++report.n_lost;
           report.lost_volume[fluid] += volume;
-          if (particle.id < report.first_lost.id)
-            report.first_lost = {particle.id,
-                                 centre<dim>(graph.cell(walker.cell))};
+          if (id < report.first_lost.id)
+            report.first_lost = {id, centre<dim>(graph.cell(walker.cell))};
         }
     }
 
-    /// Makes a drop or a bubble of a traveller.
+    /// Makes a drop or a bubble of a particle that sets out.
     template <int dim>
     void
-    launch(const DispersedField<dim>                   &field,
-           const dealii::Point<dim>                    &place,
-           ParticleTraveller<dim, DispersedField<dim>> &traveller)
+    launch(const DispersedField<dim>                     &field,
+           const typename Population<dim>::ConstParticle &particle,
+           typename DispersedField<dim>::WalkerType      &walker)
     {
-      const auto &properties = traveller.luggage.properties;
-      field.launch(traveller.walker,
-                   place,
+      const auto properties = particle.properties();
+      field.launch(walker,
+                   particle.position(),
                    Population<dim>::fluid_of(properties),
                    Population<dim>::velocity_of(properties),
                    properties[Population<dim>::volume_offset]);
     }
 
-    /// Copies all particles out of the population, and lets each walk as far
-    /// as this rank reaches.
+    /// Lets each particle walk as far as this rank reaches.
     template <int dim, typename Field>
-    std::vector<ParticleTraveller<dim, Field>>
+    std::vector<ParticleTraveller<Field>>
     depart(const Population<dim>            &population,
            const StreamlineWalk<dim, Field> &walk,
            const double                      dt,
-           WalkEffort                       &effort,
-           ScatterCount                     &scatter)
+           WalkEffort                       &effort)
     {
-      const auto &handler = population.handler();
-      const auto &graph   = population.mesh().graph();
-
-      std::vector<ParticleTraveller<dim, Field>> travellers;
-      travellers.reserve(handler.n_locally_owned_particles());
-      for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-        for (const auto &particle :
-             handler.particles_in_cell(graph.iterator(c)))
+      const auto        &mesh = population.mesh();
+      const unsigned int here = dealii::Utilities::MPI::this_mpi_process(
+        mesh.triangulation().get_communicator());
+      std::vector<ParticleTraveller<Field>> travellers;
+      travellers.reserve(population.n_particles());
+      for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+        for (const auto &particle : population.in_cell(c))
           {
-            travellers.emplace_back();
-            auto &traveller = travellers.back();
-            traveller.walker =
-              Field::WalkerType::start(c,
-                                       particle.get_reference_location(),
-                                       dt);
-            traveller.luggage.id  = particle.get_id();
-            const auto properties = particle.get_properties();
-            for (unsigned int k = 0; k < Population<dim>::n_properties; ++k)
-              traveller.luggage.properties[k] = properties[k];
-            scatter.add(particle.get_local_index());
+            const unsigned int index = travellers.size();
+            travellers.push_back(
+              {Field::WalkerType::start(c, particle.reference(), dt),
+               {here, index}});
+            auto &walker = travellers.back().walker;
             if constexpr (Field::disperses)
-              launch(walk.field(), particle.get_location(), traveller);
-            walk.walk(traveller.walker, effort);
+              launch<dim>(walk.field(), particle, walker);
+            walk.walk(walker, effort);
           }
       return travellers;
     }
 
-    /// What a traveller has become where it arrived.
+    /// Puts a particle where it has arrived, as it is there now.
     template <int dim, typename Field>
-    ParticleRecord<dim>
-    record_of(const StreamlineWalk<dim, Field>    &walk,
-              const ParticleTraveller<dim, Field> &traveller)
+    void
+    put(const StreamlineWalk<dim, Field>                 &walk,
+        const typename Field::WalkerType                 &walker,
+        const typename ParticleRows<dim>::ConstReference &particle,
+        const ParticleId                                  id,
+        ParticleRows<dim>                                &arrived)
     {
-      const auto &[walker, particle] = traveller;
-      ParticleRecord<dim> record;
-      record.id         = particle.id;
-      record.position   = walk.position(walker);
-      record.reference  = walker.reference_point();
-      record.properties = particle.properties;
+      double *const row =
+        arrived.append(id,
+                       {walk.position(walker), walker.reference_point()},
+                       particle.properties().data());
       if constexpr (Field::accelerates)
         for (unsigned int d = 0; d < dim; ++d)
-          record.properties[Population<dim>::velocity_offset + d] +=
-            walker.integral[d];
-      return record;
+          row[Population<dim>::velocity_offset + d] += walker.integral[d];
+      else
+        (void)row;
     }
 
     /// Makes those of the travellers that have arrived the population.
     template <int dim, typename Field>
     void
-    arrive(Population<dim>                                  &population,
-           const StreamlineWalk<dim, Field>                 &walk,
-           const std::vector<ParticleTraveller<dim, Field>> &travellers,
-           const ScatterCount                               &scatter,
-           Arrivals                                         &arrived)
+    arrive(Population<dim>                             &population,
+           const StreamlineWalk<dim, Field>            &walk,
+           const std::vector<ParticleTraveller<Field>> &travellers,
+           const Belongings<dim>                       &belongings)
     {
-      const auto by_id = [&](const unsigned int a, const unsigned int b) {
-        return travellers[a].luggage.id < travellers[b].luggage.id;
+      CellOrder  order(cells_of_arrival(travellers),
+                      walk.graph().n_owned_cells());
+      const auto particle = [&](const unsigned int i) {
+        return belongings(i, travellers[i].luggage);
       };
-      prepare_storage(population, arrived.travellers.size(), scatter);
+      ParticleRows<dim> arrived = population.take_spare();
+      arrived.reserve(order.things.size());
       for (unsigned int c = 0; c < walk.graph().n_owned_cells(); ++c)
         {
-          const auto begin = arrived.travellers.begin() + arrived.begin[c];
-          const auto end   = arrived.travellers.begin() + arrived.begin[c + 1];
-          std::sort(begin, end, by_id);
-          store_in_cell(population, c, end - begin, [&](const unsigned int k) {
-            return record_of<dim, Field>(walk, travellers[begin[k]]);
-          });
+          const auto begin = order.things.begin() + order.begin[c];
+          const auto end   = order.things.begin() + order.begin[c + 1];
+          std::sort(begin,
+                    end,
+                    [&](const unsigned int a, const unsigned int b) {
+                      return particle(a).id() < particle(b).id();
+                    });
+          for (auto i = begin; i != end; ++i)
+            put(walk,
+                travellers[*i].walker,
+                particle(*i),
+                particle(*i).id(),
+                arrived);
         }
-      population.handler().update_cached_numbers();
+      population.exchange(std::move(arrived), std::move(order.begin));
     }
 
-    /// Lets all particles travel, and returns all travellers that ended on
-    /// this rank.
-    template <int dim, typename Field>
-    std::vector<ParticleTraveller<dim, Field>>
+    /// Lets all particles travel; those that have arrived are the population
+    /// then. @param meet called as `meet(walker, particle)` for each of the
+    /// others that ended on this rank
+    template <int dim, typename Field, typename Meet>
+    void
     travel(Population<dim>                  &population,
            const StreamlineWalk<dim, Field> &walk,
            const double                      dt,
-           ConvectionReport                 &report)
+           ConvectionReport                 &report,
+           const Meet                       &meet)
     {
       Assert(dt >= 0, dealii::ExcMessage("Particles only go forward in time."));
-      WalkEffort   effort;
-      ScatterCount scatter;
-      auto         travellers = depart(population, walk, dt, effort, scatter);
-      walk_on_other_ranks(walk,
-                          population.mesh().triangulation().get_communicator(),
-                          travellers,
-                          effort);
-      Arrivals arrived = arrivals(travellers, walk.graph().n_owned_cells());
-      arrive(population, walk, travellers, scatter, arrived);
+      const MPI_Comm communicator =
+        population.mesh().triangulation().get_communicator();
+      WalkEffort effort;
+      auto       travellers = depart(population, walk, dt, effort);
+      walk_on_other_ranks(walk, communicator, travellers, effort);
+      const Belongings<dim> belongings(population.all(),
+                                       communicator,
+                                       travellers);
       report.n_moved         = travellers.size();
       report.n_substeps      = effort.n_substeps;
       report.n_cells_crossed = effort.n_cells_crossed;
-      for (const unsigned int i : arrived.missing)
-        count_missing<dim>(walk.graph(), travellers[i], report);
-      return travellers;
+      for (unsigned int i = 0; i < travellers.size(); ++i)
+        if (const auto &[walker, origin] = travellers[i];
+            walker.fate != Fate::arrived)
+          {
+            const auto particle = belongings(i, origin);
+            count_missing<dim>(walk.graph(),
+                               walker,
+                               particle.id(),
+                               particle.properties(),
+                               report);
+            meet(walker, particle);
+          }
+      arrive(population, walk, travellers, belongings);
     }
   } // namespace
 
@@ -256,7 +234,7 @@ namespace Thalweg
              const double                      dt)
   {
     ConvectionReport report;
-    travel(population, walk, dt, report);
+    travel(population, walk, dt, report, [](const auto &, const auto &) {});
     return report;
   }
 
@@ -268,20 +246,24 @@ namespace Thalweg
                  const double                                    dt)
   {
     Dispersal<dim> dispersal;
-    for (const auto &[walker, particle] :
-         travel(population, walk, dt, dispersal.report))
-      if (walker.fate == Fate::landed)
-        {
-          NewParticle<dim> landed{walker.cell,
-                                  walker.reference_point(),
-                                  walker.time,
-                                  particle.properties};
-          for (unsigned int d = 0; d < dim; ++d)
-            landed.properties[Population<dim>::velocity_offset + d] +=
-              walker.integral[d];
-          dispersal.landed.push_back(landed);
-          dispersal.accelerations.push_back(walker.acceleration);
-        }
+    travel(population,
+           walk,
+           dt,
+           dispersal.report,
+           [&](const auto &walker, const auto &particle) {
+             if (walker.fate != Fate::landed)
+               return;
+             const auto       row = particle.properties();
+             NewParticle<dim> landed{walker.cell,
+                                     walker.reference_point(),
+                                     walker.time,
+                                     {row.begin(), row.end()}};
+             for (unsigned int d = 0; d < dim; ++d)
+               landed.properties[Population<dim>::velocity_offset + d] +=
+                 walker.integral[d];
+             dispersal.landed.push_back(landed);
+             dispersal.accelerations.push_back(walker.acceleration);
+           });
     return dispersal;
   }
 
@@ -295,36 +277,43 @@ namespace Thalweg
     using Field = SteadyField<dim>;
     const MPI_Comm communicator =
       population.mesh().triangulation().get_communicator();
-    ConvectionReport                           report;
-    WalkEffort                                 effort;
-    std::vector<ParticleTraveller<dim, Field>> travellers;
+    const unsigned int here =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    ConvectionReport                      report;
+    WalkEffort                            effort;
+    std::vector<ParticleTraveller<Field>> travellers;
+    ParticleRows<dim>                     rows(population.row_length());
     for (const NewParticle<dim> &particle : particles)
       {
-        // A number is given where the way ends.
+        AssertDimension(particle.properties.size(), rows.n_properties());
+        const unsigned int index = travellers.size();
         travellers.push_back(
           {Walker<dim>::start(particle.cell, particle.reference, particle.time),
-           {0, particle.properties}});
+           {here, index}});
+        // A number is given where the way ends.
+        rows.append(0, {}, particle.properties.data());
         walk.walk(travellers.back().walker, effort);
       }
     walk_on_other_ranks(walk, communicator, travellers, effort);
-    for (auto &traveller : travellers)
+    const Belongings<dim> belongings(rows, communicator, travellers);
+
+    ParticleRows<dim>         arrived(population.row_length());
+    std::vector<unsigned int> cells;
+    for (unsigned int i = 0; i < travellers.size(); ++i)
       {
-        traveller.luggage.id = population.next_id();
-        if (traveller.walker.fate != Fate::arrived)
+        const auto &[walker, origin] = travellers[i];
+        const auto       particle    = belongings(i, origin);
+        const ParticleId id          = population.next_id();
+        if (walker.fate != Fate::arrived)
           {
-            count_missing<dim>(walk.graph(), traveller, report);
+            count_missing<dim>(
+              walk.graph(), walker, id, particle.properties(), report);
             continue;
           }
-        const auto record = record_of<dim, Field>(walk, traveller);
-        population.handler().insert_particle(
-          record.position,
-          record.reference,
-          record.id,
-          walk.graph().iterator(traveller.walker.cell),
-          dealii::ArrayView<const double>(record.properties.data(),
-                                          record.properties.size()));
+        put(walk, walker, particle, id, arrived);
+        cells.push_back(walker.cell);
       }
-    population.handler().update_cached_numbers();
+    population.insert(arrived, cells);
     report.n_moved = travellers.size();
     return report;
   }

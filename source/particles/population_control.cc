@@ -43,13 +43,11 @@ namespace Thalweg
       Holes<dim>  holes;
       for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
         {
-          const auto &handler = population.handler();
-          if (handler.n_particles_in_cell(graph.iterator(i)) >= minimum)
+          if (population.n_in_cell(i) >= minimum)
             continue;
           std::array<bool, 1u << dim> occupied{};
-          for (const auto &particle :
-               handler.particles_in_cell(graph.iterator(i)))
-            occupied[sub_cell(particle.get_reference_location())] = true;
+          for (const auto &particle : population.in_cell(i))
+            occupied[sub_cell(particle.reference())] = true;
           for (unsigned int s = 0; s < occupied.size(); ++s)
             if (!occupied[s])
               {
@@ -60,27 +58,29 @@ namespace Thalweg
       return holes;
     }
 
-    /// Lets the particles of @p fluid in a cell carry equal parts of what
-    /// they carry together.
+    /// Lets the particles of @p fluid in a cell, but for the last @p n_left_out
+    /// of all, carry equal parts of what they carry together.
     template <int dim>
     void
     share_volume(Population<dim>   &population,
                  const unsigned int cell,
-                 const unsigned int fluid)
+                 const unsigned int fluid,
+                 const unsigned int n_left_out)
     {
-      const auto  &where = population.mesh().graph().iterator(cell);
-      double       sum   = 0;
-      unsigned int n     = 0;
-      for (const auto &particle : population.handler().particles_in_cell(where))
-        if (const auto properties = particle.get_properties();
-            Population<dim>::fluid_of(properties) == fluid)
+      const unsigned int n_sharing = population.n_in_cell(cell) - n_left_out;
+      double             sum       = 0;
+      unsigned int       n = 0, k = 0;
+      for (const auto &particle : population.in_cell(cell))
+        if (const auto properties = particle.properties();
+            k++ < n_sharing && Population<dim>::fluid_of(properties) == fluid)
           {
             sum += properties[Population<dim>::volume_offset];
             ++n;
           }
-      for (auto &particle : population.handler().particles_in_cell(where))
-        if (auto properties = particle.get_properties();
-            Population<dim>::fluid_of(properties) == fluid)
+      k = 0;
+      for (const auto &particle : population.in_cell(cell))
+        if (const auto properties = particle.properties();
+            k++ < n_sharing && Population<dim>::fluid_of(properties) == fluid)
           properties[Population<dim>::volume_offset] = sum / n;
     }
 
@@ -88,26 +88,33 @@ namespace Thalweg
     /// Place and level set stay: a plane remains a plane.
     template <int dim>
     void
-    merge(typename Population<dim>::Iterator from,
-          typename Population<dim>::Iterator into)
+    merge(const typename Population<dim>::Particle &from,
+          const typename Population<dim>::Particle &into)
     {
       constexpr unsigned int velocity = Population<dim>::velocity_offset;
-      const auto             given    = from->get_properties();
-      auto                   kept     = into->get_properties();
+      const auto             given    = from.properties();
+      const auto             kept     = into.properties();
       const double           added    = given[Population<dim>::volume_offset];
       double                &sum      = kept[Population<dim>::volume_offset];
       sum += added;
       if (sum > 0)
-        for (unsigned int d = 0; d < dim; ++d)
-          kept[velocity + d] +=
-            added / sum * (given[velocity + d] - kept[velocity + d]);
+        {
+          const auto mix = [&](const unsigned int k) {
+            kept[k] += added / sum * (given[k] - kept[k]);
+          };
+          for (unsigned int d = 0; d < dim; ++d)
+            mix(velocity + d);
+          for (unsigned int k = Population<dim>::n_properties; k < kept.size();
+               ++k)
+            mix(k);
+        }
     }
 
     /// The particles of one fluid in one cell.
     template <int dim>
     struct Group
     {
-      std::vector<typename Population<dim>::Iterator> particles;
+      std::vector<typename Population<dim>::Particle> particles;
       std::vector<dealii::Point<dim>>                 points;
       std::vector<bool>                               is_removed;
 
@@ -120,10 +127,10 @@ namespace Thalweg
       }
 
       void
-      add(const typename Population<dim>::Iterator &particle)
+      add(const typename Population<dim>::Particle &particle)
       {
         particles.push_back(particle);
-        points.push_back(particle->get_reference_location());
+        points.push_back(particle.reference());
         is_removed.push_back(false);
       }
 
@@ -285,35 +292,37 @@ namespace Thalweg
     const auto feet = tracer(holes.cells, holes.reference_points);
     AssertDimension(feet.size(), holes.cells.size());
 
-    const auto &mesh    = population.mesh();
-    auto       &handler = population.handler();
-    std::array<double, Population<dim>::n_properties> properties;
+    const auto         &graph = population.mesh().graph();
+    ParticleRows<dim>   filling(population.row_length());
+    std::vector<double> row(population.row_length(), Population<dim>::unknown);
     for (unsigned int i = 0; i < feet.size(); ++i)
       {
-        const auto &cell      = mesh.graph().iterator(holes.cells[i]);
         const auto &reference = holes.reference_points[i];
         std::copy(feet[i].velocity.begin(),
                   feet[i].velocity.end(),
-                  properties.begin() + Population<dim>::velocity_offset);
-        Population<dim>::set_level_set(properties, level_set_value(feet[i]));
-        properties[Population<dim>::volume_offset] = 0.;
-        handler.insert_particle(
-          Q1::position<dim>(mesh.graph().cell(holes.cells[i]).vertices,
-                            reference),
-          reference,
-          population.next_id(),
-          cell,
-          dealii::ArrayView<const double>(properties.data(),
-                                          properties.size()));
-        if (parameters.carry_volume)
+                  row.begin() + Population<dim>::velocity_offset);
+        Population<dim>::set_level_set(row, level_set_value(feet[i]));
+        row[Population<dim>::volume_offset] = 0.;
+        filling.append(population.next_id(),
+                       {Q1::position<dim>(graph.cell(holes.cells[i]).vertices,
+                                          reference),
+                        reference},
+                       row.data());
+      }
+    population.insert(filling, holes.cells);
+    if (parameters.carry_volume)
+      for (unsigned int i = 0; i < feet.size(); ++i)
+        {
+          // One after the other.
+          unsigned int n_later = 0;
+          while (i + n_later + 1 < feet.size() &&
+                 holes.cells[i + n_later + 1] == holes.cells[i])
+            ++n_later;
           share_volume(population,
                        holes.cells[i],
-                       Population<dim>::fluid_of(properties));
-      }
-    // Counting is collective and visits all cells.
-    const MPI_Comm communicator = mesh.triangulation().get_communicator();
-    if (dealii::Utilities::MPI::max(feet.size(), communicator) > 0)
-      handler.update_cached_numbers();
+                       Population<dim>::fluid_of(filling[i].properties()),
+                       n_later);
+        }
     return feet.size();
   }
 
@@ -324,21 +333,17 @@ namespace Thalweg
   {
     const auto        &graph   = population.mesh().graph();
     const unsigned int maximum = parameters.maximum_per_cell;
-    auto              &handler = population.handler();
 
-    std::vector<typename Population<dim>::Iterator> to_remove;
-    std::array<Group<dim>, 2>                       groups;
+    std::vector<unsigned int> to_remove;
+    std::array<Group<dim>, 2> groups;
     for (unsigned int i = 0; i < graph.n_owned_cells(); ++i)
       {
-        const auto &cell = graph.iterator(i);
-        if (handler.n_particles_in_cell(cell) <= maximum)
+        if (population.n_in_cell(i) <= maximum)
           continue;
         for (auto &group : groups)
           group.clear();
-        const auto particles = handler.particles_in_cell(cell);
-        for (auto particle = particles.begin(); particle != particles.end();
-             ++particle)
-          groups[Population<dim>::fluid_of(particle->get_properties())].add(
+        for (const auto &particle : population.in_cell(i))
+          groups[Population<dim>::fluid_of(particle.properties())].add(
             particle);
 
         const unsigned int n =
@@ -353,13 +358,11 @@ namespace Thalweg
               groups[g].remove_one(parameters.carry_volume);
             for (unsigned int p = 0; p < groups[g].particles.size(); ++p)
               if (groups[g].is_removed[p])
-                to_remove.push_back(groups[g].particles[p]);
+                to_remove.push_back(
+                  groups[g].particles[p].index_in(population.all()));
           }
       }
-    const MPI_Comm communicator =
-      population.mesh().triangulation().get_communicator();
-    if (dealii::Utilities::MPI::max(to_remove.size(), communicator) > 0)
-      handler.remove_particles(to_remove);
+    population.remove(to_remove);
     return to_remove.size();
   }
 

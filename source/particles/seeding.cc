@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/mesh/round_off.h>
-#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/seeding.h>
 
 #include <deal.II/base/exceptions.h>
@@ -112,69 +111,55 @@ namespace Thalweg
                : deepest;
     }
 
-    /// Lets the particles of each fluid in a cell carry equal parts of the
-    /// fluid's volume.
-    template <int dim>
-    void
-    share_volumes(std::vector<ParticleRecord<dim>> &particles,
-                  const std::array<double, 2>      &volumes)
-    {
-      std::array<unsigned int, 2> n{};
-      for (const auto &particle : particles)
-        ++n[Population<dim>::fluid_of(particle.properties)];
-      for (auto &particle : particles)
-        {
-          const unsigned int fluid =
-            Population<dim>::fluid_of(particle.properties);
-          particle.properties[Population<dim>::volume_offset] =
-            volumes[fluid] / n[fluid];
-        }
-    }
-
-    /// Makes the particles of one cell.
+    /// Makes the particles of one cell after the other.
     template <int dim>
     class CellSeeds
     {
     public:
-      CellSeeds(const Mesh<dim>             &mesh,
+      CellSeeds(const Population<dim>       &population,
                 const dealii::Function<dim> &velocity,
                 const dealii::Function<dim> &level_set)
-        : mesh(mesh)
+        : rows(population.row_length())
+        , graph(population.mesh().graph())
         , velocity(velocity)
         , level_set(level_set)
         , value(dim)
+        , row(population.row_length(), Population<dim>::unknown)
       {}
 
+      /// Those of the next cells belong to @p cell.
       void
-      add(const unsigned int                  cell,
-          const dealii::types::particle_index id,
-          const dealii::Point<dim>           &reference)
+      begin(const unsigned int cell)
       {
-        ParticleRecord<dim> particle;
-        particle.id          = id;
-        particle.reference   = reference;
-        const auto &geometry = mesh.graph().cell(cell);
-        particle.position    = Q1::position<dim>(geometry.vertices, reference);
-        velocity.vector_value(particle.position, value);
-        for (unsigned int d = 0; d < dim; ++d)
-          particle.properties[Population<dim>::velocity_offset + d] = value[d];
-        Population<dim>::set_level_set(particle.properties,
-                                       without_round_off(level_set.value(
-                                                           particle.position),
-                                                         geometry.edges().first,
-                                                         particle.position));
-        particle.properties[Population<dim>::volume_offset] = 0.;
-        particles.push_back(particle);
+        this->cell = cell;
+        first      = rows.size();
       }
 
-      /// Particles get the cell's volumes of both fluids, where needed one
-      /// more for each fluid, with ids from @p first_id on.
       void
-      carry(const unsigned int                  cell,
-            const double                        negative_volume,
-            const dealii::types::particle_index first_id)
+      add(const ParticleId id, const dealii::Point<dim> &reference)
       {
-        const auto           &geometry = mesh.graph().cell(cell);
+        const auto              &geometry = graph.cell(cell);
+        const dealii::Point<dim> position =
+          Q1::position<dim>(geometry.vertices, reference);
+        velocity.vector_value(position, value);
+        for (unsigned int d = 0; d < dim; ++d)
+          row[Population<dim>::velocity_offset + d] = value[d];
+        Population<dim>::set_level_set(row,
+                                       without_round_off(level_set.value(
+                                                           position),
+                                                         geometry.edges().first,
+                                                         position));
+        row[Population<dim>::volume_offset] = 0.;
+        rows.append(id, {position, reference}, row.data());
+        cells.push_back(cell);
+      }
+
+      /// Particles of the cell get its volumes of both fluids, where needed
+      /// one more for each fluid, with ids from @p first_id on.
+      void
+      carry(const double negative_volume, const ParticleId first_id)
+      {
+        const auto           &geometry = graph.cell(cell);
         std::array<double, 2> volumes  = {
            {negative_volume, geometry.measure - negative_volume}};
         const double negligible = 1e-12 * geometry.measure;
@@ -184,30 +169,47 @@ namespace Thalweg
               volumes[1 - fluid] += volumes[fluid];
               volumes[fluid] = 0.;
             }
-          else if (std::none_of(particles.begin(),
-                                particles.end(),
-                                [&](const auto &particle) {
-                                  return Population<dim>::fluid_of(
-                                           particle.properties) == fluid;
-                                }))
+          else if (numbers()[fluid] == 0)
             {
-              add(cell,
-                  first_id + fluid,
+              add(first_id + fluid,
                   place_of_fluid<dim>(geometry, level_set, fluid));
               // The cut may see a part that the function just touches.
-              auto &last = particles.back().properties;
+              const auto last = rows[rows.size() - 1].properties();
               if (Population<dim>::fluid_of(last) != fluid)
                 Population<dim>::set_level_set(
                   last, fluid == 0 ? -std::numeric_limits<double>::min() : 0.);
             }
-        share_volumes<dim>(particles, volumes);
+        const auto n = numbers();
+        for (const auto &particle : rows.range(first, rows.size()))
+          {
+            const auto         properties = particle.properties();
+            const unsigned int fluid = Population<dim>::fluid_of(properties);
+            properties[Population<dim>::volume_offset] =
+              volumes[fluid] / n[fluid];
+          }
       }
 
-      const Mesh<dim>                 &mesh;
-      const dealii::Function<dim>     &velocity;
-      const dealii::Function<dim>     &level_set;
-      dealii::Vector<double>           value;
-      std::vector<ParticleRecord<dim>> particles;
+      ParticleRows<dim>         rows;
+      std::vector<unsigned int> cells; ///< of each
+
+    private:
+      /// How many particles of each fluid the cell has.
+      std::array<unsigned int, 2>
+      numbers() const
+      {
+        std::array<unsigned int, 2> n{};
+        for (const auto &particle : rows.range(first, rows.size()))
+          ++n[Population<dim>::fluid_of(particle.properties())];
+        return n;
+      }
+
+      const CellGraph<dim>        &graph;
+      const dealii::Function<dim> &velocity;
+      const dealii::Function<dim> &level_set;
+      dealii::Vector<double>       value;
+      std::vector<double>          row;
+      unsigned int                 cell  = 0;
+      std::size_t                  first = 0; ///< of the cell
     };
   } // namespace
 
@@ -250,40 +252,25 @@ namespace Thalweg
     const unsigned int  n          = parameters.particles_per_direction;
     const unsigned int  n_per_cell = dealii::Utilities::pow(n, dim);
     const std::uint64_t n_cells = mesh.triangulation().n_global_active_cells();
-    // One more for each fluid, where it needs it.
-    const std::uint64_t n_ids = n_cells * (n_per_cell + 2);
-    AssertThrow(
-      n_ids < std::numeric_limits<dealii::types::particle_index>::max(),
-      dealii::ExcMessage("These are " + std::to_string(n_cells * n_per_cell) +
-                         " particles, more than this deal.II has numbers "
-                         "for. Ask for fewer 'Particles per direction' or a "
-                         "coarser mesh, or use a deal.II with 64-bit "
-                         "indices."));
 
-    auto &handler = population.handler();
-    handler.reserve(std::size_t(mesh.graph().n_owned_cells()) * n_per_cell);
-    CellSeeds<dim> seeds(mesh, velocity, level_set);
+    CellSeeds<dim> seeds(population, velocity, level_set);
+    seeds.rows.reserve(std::size_t(mesh.graph().n_owned_cells()) * n_per_cell);
     for (unsigned int i = 0; i < mesh.graph().n_owned_cells(); ++i)
       {
-        const auto          number = mesh.graph().cell(i).global_index;
+        const ParticleId    number = mesh.graph().cell(i).global_index;
         const std::uint64_t cell_hash =
           parameters.jitter > 0 ? hash<dim>(mesh.graph().iterator(i)->id()) : 0;
-        seeds.particles.clear();
+        seeds.begin(i);
         for (unsigned int k = 0; k < n_per_cell; ++k)
-          seeds.add(i,
-                    number * n_per_cell + k,
+          seeds.add(number * n_per_cell + k,
                     place<dim>(k, n, parameters.jitter, cell_hash));
         if (negative_volume)
-          seeds.carry(i,
-                      negative_volume(mesh.graph().cell(i)),
+          seeds.carry(negative_volume(mesh.graph().cell(i)),
                       n_cells * n_per_cell + 2 * number);
-        store_in_cell(population,
-                      i,
-                      seeds.particles.size(),
-                      [&](const unsigned int k) { return seeds.particles[k]; });
       }
-    handler.update_cached_numbers();
-    population.reserve_ids_below(n_ids);
+    population.replace(seeds.rows, seeds.cells);
+    // One more for each fluid, where it needs it.
+    population.reserve_ids_below(n_cells * (n_per_cell + 2));
   }
 
 

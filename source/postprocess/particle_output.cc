@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/postprocess/point_patches.h>
 #include <thalweg/postprocess/scheduled_output.h>
 
 #include <deal.II/base/exceptions.h>
-#include <deal.II/particles/data_out.h>
 
 namespace Thalweg
 {
@@ -15,17 +15,21 @@ namespace Thalweg
                      Context               &context,
                      PvdRecord             &record)
     {
-      using namespace dealii::DataComponentInterpretation;
-      std::vector<std::string>                 names(dim, "velocity");
-      std::vector<DataComponentInterpretation> interpretations(
-        dim, component_is_part_of_vector);
+      std::vector<std::string> names{"id"};
+      names.insert(names.end(), dim, "velocity");
       for (const char *name : {"level_set", "volume", "fluid"})
+        names.emplace_back(name);
+      for (const std::string &name : population.added_properties())
+        names.push_back(name);
+      PointPatches<dim> data(names, population.n_particles());
+      std::size_t       i = 0;
+      for (const auto &particle : population.particles())
         {
-          names.emplace_back(name);
-          interpretations.push_back(component_is_scalar);
+          auto &numbers = data.set(i++, particle.position());
+          numbers(0, 0) = particle.id();
+          for (unsigned int k = 0; k < population.row_length(); ++k)
+            numbers(1 + k, 0) = particle.properties()[k];
         }
-      dealii::Particles::DataOut<dim> data;
-      data.build_patches(population.handler(), names, interpretations);
       record.write(context, data, solution.time, solution.step);
     }
 

@@ -2,11 +2,10 @@
 #include <thalweg/methods/tracer_view.h>
 #include <thalweg/particles/cell_maps.h>
 #include <thalweg/postprocess/csv_file.h>
+#include <thalweg/postprocess/point_patches.h>
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/postprocess/pvd_record.h>
 #include <thalweg/postprocess/schedule.h>
-
-#include <deal.II/base/data_out_base.h>
 
 #include <algorithm>
 #include <map>
@@ -51,50 +50,29 @@ namespace Thalweg
 
     /// Tracers as points with numbers.
     template <int dim>
-    class TracerPatches : public dealii::DataOutInterface<0, dim>
+    PointPatches<dim>
+    tracer_patches(const TracerCloud<dim> &cloud, const double time)
     {
-    public:
-      using Patch = dealii::DataOutBase::Patch<0, dim>;
-
-      TracerPatches(const TracerCloud<dim> &cloud, const double time)
-      {
-        const CellMaps<dim> maps(cloud.mesh().graph());
-        patches.resize(cloud.members().size());
-        for (std::size_t i = 0; i < patches.size(); ++i)
-          {
-            const auto &[walker, tracer] = cloud.members()[i];
-            const auto place  = maps.to_space(walker.cell, walker.reference);
-            Patch     &patch  = patches[i];
-            patch.patch_index = i;
-            patch.data.reinit(2 + dim, 1);
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                patch.vertices[0][d] = place[d];
-                patch.data(2 + d, 0) = tracer.origin[d];
-              }
-            patch.data(0, 0) = tracer.id;
-            patch.data(1, 0) = time - tracer.released;
-          }
-      }
-
-    private:
-      const std::vector<Patch> &
-      get_patches() const override
-      {
-        return patches;
-      }
-
-      std::vector<std::string>
-      get_dataset_names() const override
-      {
-        std::vector<std::string> names{"id", "age"};
-        for (unsigned int d = 0; d < dim; ++d)
-          names.push_back(std::string("origin_") + "xyz"[d]);
-        return names;
-      }
-
-      std::vector<Patch> patches;
-    };
+      std::vector<std::string> names{"id", "age"};
+      for (unsigned int d = 0; d < dim; ++d)
+        names.push_back(std::string("origin_") + "xyz"[d]);
+      const CellMaps<dim> maps(cloud.mesh().graph());
+      PointPatches<dim>   points(names, cloud.members().size());
+      for (std::size_t i = 0; i < cloud.members().size(); ++i)
+        {
+          const auto &[walker, tracer] = cloud.members()[i];
+          const auto place = maps.to_space(walker.cell, walker.reference);
+          dealii::Point<dim> position;
+          for (unsigned int d = 0; d < dim; ++d)
+            position[d] = place[d];
+          auto &numbers = points.set(i, position);
+          numbers(0, 0) = tracer.id;
+          numbers(1, 0) = time - tracer.released;
+          for (unsigned int d = 0; d < dim; ++d)
+            numbers(2 + d, 0) = tracer.origin[d];
+        }
+      return points;
+    }
 
 
 
@@ -130,7 +108,7 @@ namespace Thalweg
           return;
         for (const auto &[name, tracers] : all_tracers(solution))
           {
-            TracerPatches<dim> patches(tracers->cloud, now.time);
+            auto patches = tracer_patches(tracers->cloud, now.time);
             records.at(name).write(context, patches, now.time, now.step);
           }
       }

@@ -97,8 +97,12 @@ namespace Thalweg
 
 
     std::string
-    property_name(const unsigned int property, const unsigned int dim)
+    property_name(const unsigned int              property,
+                  const unsigned int              dim,
+                  const std::vector<std::string> &added)
     {
+      if (property >= dim + 3)
+        return added[property - dim - 3];
       if (property < dim)
         return std::string("velocity in ") + "xyz"[property];
       return property == dim       ? "level set"
@@ -113,9 +117,9 @@ namespace Thalweg
     check_particles(const FlowView<dim>   &solution,
                     const Population<dim> &population)
     {
-      for (const auto &particle : population.handler())
+      for (const auto &particle : population.particles())
         {
-          const auto    properties = particle.get_properties();
+          const auto    properties = particle.properties();
           const double *bad        = std::find_if(properties.begin(),
                                            properties.end(),
                                            [](const double value) {
@@ -125,10 +129,12 @@ namespace Thalweg
             continue;
           std::ostringstream what;
           what.precision(10);
-          what << "particle " << particle.get_id() << " at ("
-               << particle.get_location() << ") carries a "
-               << property_name(bad - properties.begin(), dim) << " that is "
-               << *bad;
+          what << "particle " << particle.id() << " at (" << particle.position()
+               << ") carries a "
+               << property_name(bad - properties.begin(),
+                                dim,
+                                population.added_properties())
+               << " that is " << *bad;
           refuse(solution, what.str());
         }
     }

@@ -171,19 +171,17 @@ namespace Thalweg
             }
         const double farthest =
           *std::max_element(distances.begin(), distances.end());
-        for (auto &particle :
-             population.handler().particles_in_cell(graph.iterator(c)))
+        for (auto &particle : population.in_cell(c))
           {
-            const auto shape =
-              Q1::values<dim>(particle.get_reference_location());
-            double r = 0., d = 0.;
+            const auto shape = Q1::values<dim>(particle.reference());
+            double     r = 0., d = 0.;
             for (unsigned int v = 0; v < nodes.size(); ++v)
               {
                 r += shape[v] * rates[v];
                 d += shape[v] * distances[v];
               }
             double &own =
-              particle.get_properties()[Population<dim>::level_set_offset];
+              particle.properties()[Population<dim>::level_set_offset];
             // What is much farther from its interface than from this one
             // belongs to another.
             if (d > 0 && (r < 0 || std::abs(own) <= 2. * farthest))

@@ -22,12 +22,10 @@ namespace Thalweg
             increment[dim * v + d] =
               factor * (new_velocity.local_element(dim * nodes[v] + d) -
                         velocity_star.local_element(dim * nodes[v] + d));
-        for (auto &particle :
-             population.handler().particles_in_cell(graph.iterator(c)))
+        for (auto &particle : population.in_cell(c))
           {
-            const auto shape =
-              Q1::values<dim>(particle.get_reference_location());
-            const auto properties = particle.get_properties();
+            const auto shape      = Q1::values<dim>(particle.reference());
+            const auto properties = particle.properties();
             for (unsigned int v = 0; v < nodes.size(); ++v)
               for (unsigned int d = 0; d < dim; ++d)
                 properties[Population<dim>::velocity_offset + d] +=

@@ -76,16 +76,14 @@ namespace Thalweg
           {
             matrix.set_shape(c, c);
             double *const      entries = matrix.matrix(c);
-            const unsigned int n_here =
-              population.handler().n_particles_in_cell(graph.iterator(c));
+            const unsigned int n_here  = population.n_in_cell(c);
             const double weight = graph.cell(c).measure / std::max(1u, n_here);
             std::array<double, dim * n> sums{};
-            for (const auto &particle :
-                 population.handler().particles_in_cell(graph.iterator(c)))
+            for (const auto &particle : population.in_cell(c))
               {
-                const auto shape = LagrangeShape::values<dim, degree>(
-                  particle.get_reference_location());
-                const auto properties = particle.get_properties();
+                const auto shape =
+                  LagrangeShape::values<dim, degree>(particle.reference());
+                const auto properties = particle.properties();
                 for (unsigned int i = 0; i < n; ++i)
                   {
                     const double w = weight * shape[i];

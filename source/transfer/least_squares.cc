@@ -252,14 +252,12 @@ namespace Thalweg
       find_targets(space, cell, targets);
 
     std::array<Moments<dim>, (1 << dim)> moments;
-    for (const auto &particle :
-         population.handler().particles_in_cell(graph.iterator(cell)))
+    for (const auto &particle : population.in_cell(cell))
       {
-        const auto   shape = Q1::values<dim>(particle.get_reference_location());
-        const auto  &x     = particle.get_location();
+        const auto   shape = Q1::values<dim>(particle.reference());
+        const auto  &x     = particle.position();
         const double phi =
-          particle.get_properties()[Population<dim>::level_set_offset] *
-          inverse;
+          particle.properties()[Population<dim>::level_set_offset] * inverse;
         const double cut_off = std::clamp(phi, -limit, limit);
         if (!is_hanging)
           for (unsigned int v = 0; v < nodes.size(); ++v)

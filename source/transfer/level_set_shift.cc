@@ -22,10 +22,9 @@ namespace Thalweg
               return value == 0.;
             }))
           continue;
-        for (auto &particle :
-             population.handler().particles_in_cell(graph.iterator(c)))
-          particle.get_properties()[Population<dim>::level_set_offset] +=
-            factor * Q1::value<dim>(nodal, particle.get_reference_location());
+        for (auto &particle : population.in_cell(c))
+          particle.properties()[Population<dim>::level_set_offset] +=
+            factor * Q1::value<dim>(nodal, particle.reference());
       }
   }
 

@@ -35,11 +35,10 @@ namespace Thalweg
       std::array<double, n>       weight{}, mass{};
       if constexpr (!is_first)
         known = gather_velocity<dim>(mean, nodes);
-      for (const auto &particle : population.handler().particles_in_cell(
-             population.mesh().graph().iterator(cell)))
+      for (const auto &particle : population.in_cell(cell))
         {
-          const auto shape = Q1::values<dim>(particle.get_reference_location());
-          const auto properties = particle.get_properties();
+          const auto   shape      = Q1::values<dim>(particle.reference());
+          const auto   properties = particle.properties();
           const double density =
             densities[Population<dim>::fluid_of(properties)];
           for (unsigned int d = 0; d < dim; ++d)

@@ -142,15 +142,14 @@ namespace Thalweg
         for (unsigned int i = 0; i < space.n_nodes_per_cell(); ++i)
           positions[i] =
             Q1::position<dim>(graph.cell(cell).vertices, space.unit_nodes()[i]);
-        for (const auto &particle :
-             population.handler().particles_in_cell(graph.iterator(cell)))
+        for (const auto &particle : population.in_cell(cell))
           {
             // The cell of the nodes' lattice where the particle is.
             dealii::Point<dim> local;
             unsigned int       first = 0, stride = 1;
             for (unsigned int d = 0; d < dim; ++d, stride *= degree + 1)
               {
-                const double x = degree * particle.get_reference_location()[d];
+                const double       x = degree * particle.reference()[d];
                 const unsigned int index =
                   std::min<double>(degree - 1, std::max(0., std::floor(x)));
                 local[d] = x - index;
@@ -165,7 +164,7 @@ namespace Thalweg
                   place += ((v >> d) & 1u) * stride;
                 add(particle,
                     shape[v],
-                    (particle.get_location() - positions[place]) / length,
+                    (particle.position() - positions[place]) / length,
                     space.nodes(cell)[place],
                     sums);
               }
@@ -186,7 +185,7 @@ namespace Thalweg
         basis[0] = 1.;
         for (unsigned int i = 1; i < n; ++i)
           basis[i] = offset[i - 1];
-        const auto properties = particle.get_properties();
+        const auto properties = particle.properties();
         for (unsigned int i = 0, entry = 0; i < n; ++i)
           {
             for (unsigned int j = 0; j <= i; ++j, ++entry)

@@ -27,11 +27,10 @@ namespace Thalweg
             for (unsigned int d = 0; d < dim; ++d)
               values[dim * i + d] = a * A.local_element(dim * nodes[i] + d) +
                                     b * B.local_element(dim * nodes[i] + d);
-          for (auto &particle :
-               population.handler().particles_in_cell(graph.iterator(c)))
+          for (auto &particle : population.in_cell(c))
             {
-              const auto shape = LagrangeShape::values<dim, degree>(
-                particle.get_reference_location());
+              const auto shape =
+                LagrangeShape::values<dim, degree>(particle.reference());
               double change[dim] = {};
               for (unsigned int i = 0; i < n; ++i)
                 for (unsigned int d = 0; d < dim; ++d)
@@ -39,8 +38,7 @@ namespace Thalweg
               for (unsigned int d = 0; d < dim; ++d)
                 {
                   double &velocity =
-                    particle
-                      .get_properties()[Population<dim>::velocity_offset + d];
+                    particle.properties()[Population<dim>::velocity_offset + d];
                   velocity = keep * velocity + change[d];
                 }
             }

@@ -43,14 +43,13 @@ namespace Thalweg
       const double limit = band * space.mesh().graph().cell(cell).edges().first;
       constexpr unsigned int n = 1 << dim;
       std::array<double, n>  weight{}, level_set{};
-      for (const auto &particle : population.handler().particles_in_cell(
-             population.mesh().graph().iterator(cell)))
+      for (const auto &particle : population.in_cell(cell))
         {
-          const auto shape = Q1::values<dim>(particle.get_reference_location());
-          const double phi = std::clamp(
-            particle.get_properties()[Population<dim>::level_set_offset],
-            -limit,
-            limit);
+          const auto   shape = Q1::values<dim>(particle.reference());
+          const double phi =
+            std::clamp(particle.properties()[Population<dim>::level_set_offset],
+                       -limit,
+                       limit);
           for (unsigned int v = 0; v < n; ++v)
             {
               weight[v] += shape[v];

@@ -4,6 +4,7 @@
 #include "adaptation/adaptation.h"
 #include "support/complaint.h"
 #include "support/dimensions.h"
+#include "support/put_particle.h"
 
 namespace
 {
@@ -291,14 +292,8 @@ TYPED_TEST(CriteriaMpi, ParticlesNeedCells)
           Point<dim> xi;
           for (unsigned int d = 0; d < dim; ++d)
             xi[d] = at;
-          state.population->handler().insert_particle(
-            state.mesh.mapping().transform_unit_to_real_cell(graph.iterator(c),
-                                                             xi),
-            xi,
-            state.population->next_id(),
-            graph.iterator(c));
+          put_particle(*state.population, c, xi);
         }
-  state.population->handler().update_cached_numbers();
   const double part = 1. - 2. / (1 << dim);
   for (const double limit : {part - .01, part + .01})
     {

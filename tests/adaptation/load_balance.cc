@@ -6,6 +6,7 @@
 #include "adaptation/adaptation.h"
 #include "support/complaint.h"
 #include "support/dimensions.h"
+#include "support/put_particle.h"
 
 namespace
 {
@@ -48,12 +49,7 @@ namespace
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       if (is_there(graph.iterator(c)->center()))
         for (unsigned int k = 0; k < n; ++k)
-          world.population->handler().insert_particle(
-            graph.iterator(c)->center(),
-            center_of_box<dim>(),
-            world.population->next_id(),
-            graph.iterator(c));
-    world.population->handler().update_cached_numbers();
+          put_particle(*world.population, c, center_of_box<dim>());
   }
 
 
@@ -141,7 +137,7 @@ TYPED_TEST(LoadBalanceMpi, RefinedAndCoarsenedCellsKeepTheirWork)
           }
       }
   const double n_before = world.mesh.triangulation().n_global_active_cells();
-  world.population->handler().clear();
+  world.population->clear();
   world.mesh.triangulation().execute_coarsening_and_refinement();
   connection.disconnect();
   const double n_after = world.mesh.triangulation().n_global_active_cells();
@@ -179,7 +175,7 @@ TYPED_TEST(LoadBalanceMpi, DistributesParticlesEvenly)
                                     [&](const auto &cell, const CellFate fate) {
                                       return own.balance.weight(cell, fate);
                                     });
-  world.population->handler().clear();
+  world.population->clear();
   world.mesh.repartition();
   connection.disconnect();
   world.mesh.update();

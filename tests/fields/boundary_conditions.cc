@@ -10,8 +10,8 @@ namespace
 {
   /// What is said of boundary conditions for the unit box.
   std::string
-  complaint(const std::vector<std::string> &settings,
-            const std::string              &pairs = "")
+  condition_complaint(const std::vector<std::string> &settings,
+                      const std::string              &pairs = "")
   {
     return complaint_of([&]() {
       Scene<2>(unit_box<2>(2, "0", {"Periodic boundaries = " + pairs}) +
@@ -118,25 +118,28 @@ TEST(BoundaryConditions, OtherwiseIsAsItIsSaid)
 
 TEST(BoundaryConditions, SaysWhatIsWrong)
 {
-  expect(complaint({"No slip = floor"}), "There is no boundary 'floor'");
-  expect(complaint({"No slip = top", "Slip = top"}),
+  expect(condition_complaint({"No slip = floor"}),
+         "There is no boundary 'floor'");
+  expect(condition_complaint({"No slip = top", "Slip = top"}),
          "'top' has two conditions");
-  expect(complaint({"Slip = left"}, "left:right"), "'left' is periodic");
-  expect(complaint({"Otherwise = fault", "Slip = left, right, top"}),
+  expect(condition_complaint({"Slip = left"}, "left:right"),
+         "'left' is periodic");
+  expect(condition_complaint({"Otherwise = fault", "Slip = left, right, top"}),
          "'bottom' has no condition");
-  expect(complaint({"Velocity = left 1; 0"}), "no colon");
-  expect(complaint({"Velocity = left: 1"}), "Boundary conditions/Velocity");
-  expect(complaint({"Open = top: 1; 2"}), "Boundary conditions/Open");
-  expect(complaint({"Open = top: q"}), "cannot be understood");
-  expect(complaint({"Inflow fluids = left"}), "'boundary: fluid'");
-  expect(complaint({"Inflow fluids = left: water"}),
+  expect(condition_complaint({"Velocity = left 1; 0"}), "no colon");
+  expect(condition_complaint({"Velocity = left: 1"}),
+         "Boundary conditions/Velocity");
+  expect(condition_complaint({"Open = top: 1; 2"}), "Boundary conditions/Open");
+  expect(condition_complaint({"Open = top: q"}), "cannot be understood");
+  expect(condition_complaint({"Inflow fluids = left"}), "'boundary: fluid'");
+  expect(condition_complaint({"Inflow fluids = left: water"}),
          "neither open nor has a velocity");
-  expect(complaint({"Open = top: 0", "Inflow fluids = top: y-q"}),
+  expect(condition_complaint({"Open = top: 0", "Inflow fluids = top: y-q"}),
          "Boundary conditions/Inflow fluids");
-  expect(complaint({"Flow rate = left"}), "no colon");
-  expect(complaint({"Flow rate = left: 1; 0"}),
+  expect(condition_complaint({"Flow rate = left"}), "no colon");
+  expect(condition_complaint({"Flow rate = left: 1; 0"}),
          "Boundary conditions/Flow rate");
-  expect(complaint({"Flow rate = left: y"}), "not on x, y or z");
-  expect(complaint({"Flow rate = left: 1", "Slip = left"}),
+  expect(condition_complaint({"Flow rate = left: y"}), "not on x, y or z");
+  expect(condition_complaint({"Flow rate = left: 1", "Slip = left"}),
          "'left' has two conditions");
 }

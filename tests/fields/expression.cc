@@ -12,7 +12,7 @@ using namespace Thalweg;
 namespace
 {
   std::string
-  complaint(const std::string &text)
+  expression_complaint(const std::string &text)
   {
     return complaint_of([&]() { parse_expression<2>(text, 1, "Here"); });
   }
@@ -26,12 +26,13 @@ TEST(Expression, CommasSeparateArgumentsOnly)
                            "max (x, 1)",
                            "if(x < 0.5, min(1, (y)), 2)",
                            "(pow(x, 2))*atan2(y, x + 1)"})
-    EXPECT_EQ(complaint(text), "") << text;
+    EXPECT_EQ(expression_complaint(text), "") << text;
   for (const char *text :
        {"y - 0,5", "0,5", "(1,5)*x", "max(x, (1,5))", "2*(x,y)", "x , 1"})
-    EXPECT_NE(complaint(text).find("separates no arguments"), std::string::npos)
+    EXPECT_NE(expression_complaint(text).find("separates no arguments"),
+              std::string::npos)
       << text;
-  EXPECT_NE(complaint("y - 10,25*x").find("with a point: '10.25'"),
+  EXPECT_NE(expression_complaint("y - 10,25*x").find("with a point: '10.25'"),
             std::string::npos);
 }
 

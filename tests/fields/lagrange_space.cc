@@ -47,7 +47,7 @@ namespace
 
   /// The sum over owned nodes of the products of entries.
   double
-  product(const Vector &a, const Vector &b)
+  inner_product(const Vector &a, const Vector &b)
   {
     double sum = 0;
     for (unsigned int i = 0; i < a.locally_owned_size(); ++i)
@@ -178,7 +178,7 @@ TYPED_TEST(LagrangeSpaceMpi, FoldIsTheTransposeOfInterpolate)
       double                   wanted;
       Vector folded = cell_contributions(space, field, wanted);
       space.fold(folded, dim);
-      EXPECT_NEAR(product(folded, field), wanted, 1e-11);
+      EXPECT_NEAR(inner_product(folded, field), wanted, 1e-11);
       for (const Dependence &entry : space.dependences().all())
         EXPECT_EQ(folded.local_element(dim * entry.node), 0.);
     }

@@ -77,10 +77,10 @@ namespace
 
   template <int dim>
   double
-  error(const Scene<dim>                  &scene,
-        const EnrichedPressure            &p,
-        const typename Scene<dim>::Scalar &exact,
-        const bool                         up_to_a_constant)
+  pressure_error(const Scene<dim>                  &scene,
+                 const EnrichedPressure            &p,
+                 const typename Scene<dim>::Scalar &exact,
+                 const bool                         up_to_a_constant)
   {
     return errors(scene, p, exact, up_to_a_constant).greatest;
   }
@@ -176,9 +176,11 @@ TYPED_TEST(PressureSystemMpi, FluidsAtRestHaveTheirHydrostaticPressure)
   const auto exact = [](const dealii::Point<dim> &x) {
     return -8. * rho[plane<dim>(x) < 0 ? 0 : 1] * plane<dim>(x);
   };
-  EXPECT_LT(
-    error(scene, solve(scene, scene.velocity(rest<dim>()), .1), exact, true),
-    1e-9 * 8000.);
+  EXPECT_LT(pressure_error(scene,
+                           solve(scene, scene.velocity(rest<dim>()), .1),
+                           exact,
+                           true),
+            1e-9 * 8000.);
 }
 
 
@@ -196,9 +198,11 @@ TYPED_TEST(PressureSystemMpi, OpenBoundariesSetTheLevelOfThePressure)
     return 50. + 8. + 8. * rho[1] * (1. - x[1]) +
            (x[1] < .43 ? 8. * (rho[0] - rho[1]) * (.43 - x[1]) : 0.);
   };
-  EXPECT_LT(
-    error(scene, solve(scene, scene.velocity(rest<dim>()), .1), exact, false),
-    1e-8 * 8000.);
+  EXPECT_LT(pressure_error(scene,
+                           solve(scene, scene.velocity(rest<dim>()), .1),
+                           exact,
+                           false),
+            1e-8 * 8000.);
 }
 
 
@@ -211,7 +215,7 @@ TYPED_TEST(PressureSystemMpi, OpenBoundariesActOnAFluidAtRest)
     hanging_box<dim>(4) + one_fluid(3., 0.) +
     section("Boundary conditions", {"Open = left: 7 | right: 2"}));
   scene.set_phases([](const auto &) { return -1.; });
-  EXPECT_LT(error(
+  EXPECT_LT(pressure_error(
               scene,
               solve(scene, scene.velocity(rest<dim>()), .1),
               [](const auto &x) { return 7. - 5. * x[0]; },
@@ -232,7 +236,7 @@ TYPED_TEST(PressureSystemMpi, AConstantForceDensityIsBalancedExactly)
                        section("Body forces", {"Force density = " + force}));
       scene.forces.set_time(2.);
       scene.set_phases(plane<dim>);
-      EXPECT_LT(error(
+      EXPECT_LT(pressure_error(
                   scene,
                   solve(scene, scene.velocity(rest<dim>()), .1),
                   [](const auto &x) {
@@ -260,7 +264,7 @@ TYPED_TEST(PressureSystemMpi, ASolenoidalVelocityNeedsNoPressure)
     u[0] = 2.;
     return u;
   };
-  EXPECT_LT(error(
+  EXPECT_LT(pressure_error(
               scene,
               solve(scene, scene.velocity(flow), 1e-3),
               [](const auto &) { return 0.; },

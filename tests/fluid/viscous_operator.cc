@@ -38,7 +38,7 @@ namespace
   /// A bent mesh with hanging nodes, filled with a fluid of viscosity 0.7.
   template <int dim>
   std::unique_ptr<Scene<dim>>
-  bent()
+  bent_scene()
   {
     auto scene =
       std::make_unique<Scene<dim>>(unit_box<dim>(4) + one_fluid(1., .7),
@@ -102,7 +102,7 @@ namespace
 TYPED_TEST(ViscousOperatorMpi, RigidMotionsMeetNoForce)
 {
   constexpr int dim      = TypeParam::value;
-  const auto    scene    = bent<dim>();
+  const auto    scene    = bent_scene<dim>();
   Gradient<dim> rotation = some_gradient<dim>();
   rotation -= transpose(rotation);
   const Vector force =
@@ -119,7 +119,7 @@ TYPED_TEST(ViscousOperatorMpi, RigidMotionsMeetNoForce)
 TYPED_TEST(ViscousOperatorMpi, LinearVelocitiesHaveTheirStressAndEnergy)
 {
   constexpr int       dim      = TypeParam::value;
-  const auto          scene    = bent<dim>();
+  const auto          scene    = bent_scene<dim>();
   const Gradient<dim> gradient = some_gradient<dim>();
   const auto          rate     = symmetrize(gradient);
   const Vector u = scene->velocity([&](const auto &p) { return gradient * p; });

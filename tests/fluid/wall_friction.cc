@@ -14,19 +14,19 @@ namespace
   TYPED_TEST_SUITE(WallFrictionMpi, Dimensions);
 
 
-  constexpr double nu = .3;
+  constexpr double wall_nu = .3;
 
 
-  /// The greatest difference of nu du/dn from a function at the nodes of faces
-  /// whose outward normal is -y or x.
+  /// The greatest difference of wall_nu du/dn from a function at the nodes of
+  /// faces whose outward normal is -y or x.
   template <int dim>
   double
-  error(const StepScene<dim>              &scene,
-        const typename Scene<dim>::Field  &flow,
-        const typename Scene<dim>::Scalar &at_bottom,
-        const typename Scene<dim>::Scalar &at_right)
+  friction_error(const StepScene<dim>              &scene,
+                 const typename Scene<dim>::Field  &flow,
+                 const typename Scene<dim>::Scalar &at_bottom,
+                 const typename Scene<dim>::Scalar &at_right)
   {
-    WallFriction<dim> friction(scene.operators, scene.flow_boundary, nu);
+    WallFriction<dim> friction(scene.operators, scene.flow_boundary, wall_nu);
     const Vector      u       = scene.flow_velocity(flow);
     const auto       &found   = friction.find(u, scene.friction_of(u));
     double            largest = 0;
@@ -60,11 +60,11 @@ TYPED_TEST(WallFrictionMpi, QuadraticVelocitiesHaveTheirs)
       const StepScene<dim> scene(unit_box<dim>(4) + given_ends<dim>(),
                                  degree,
                                  degree,
-                                 nu);
-      EXPECT_LT(error<dim>(
+                                 wall_nu);
+      EXPECT_LT(friction_error<dim>(
                   scene,
                   poiseuille<dim>,
-                  [](const auto &) { return -nu; },
+                  [](const auto &) { return -wall_nu; },
                   [](const auto &) { return 0.; }),
                 1e-9)
         << degree;
@@ -82,16 +82,16 @@ TYPED_TEST(WallFrictionMpi, SecondOrder)
                                          {"No slip = bottom, right, top"}),
                                1,
                                1,
-                               nu);
-    return error<dim>(
+                               wall_nu);
+    return friction_error<dim>(
       scene,
       [](const auto &p) {
         dealii::Tensor<1, dim> u;
         u[0] = std::exp(p[1]) * std::cos(p[0]);
         return u;
       },
-      [](const auto &p) { return -nu * std::cos(p[0]); },
-      [](const auto &p) { return -nu * std::exp(p[1]) * std::sin(1.); });
+      [](const auto &p) { return -wall_nu * std::cos(p[0]); },
+      [](const auto &p) { return -wall_nu * std::exp(p[1]) * std::sin(1.); });
   };
   const unsigned int n      = dim == 2 ? 16 : 6;
   const double       coarse = largest(n), fine = largest(2 * n);

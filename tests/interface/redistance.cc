@@ -68,7 +68,7 @@ namespace
 
   template <int dim>
   double
-  ball(const Point<dim> &p)
+  ball_distance(const Point<dim> &p)
   {
     Point<dim> center;
     for (unsigned int d = 0; d < dim; ++d)
@@ -122,14 +122,14 @@ TYPED_TEST(RedistanceMpi, ABallIsMadeRoundToSecondOrder)
   // The level set's slope varies by a factor of three along the interface.
   constexpr int dim    = TypeParam::value;
   const auto    skewed = [](const Point<dim> &p) {
-    return ball(p) * (1. + .5 * std::sin(4. * p[0] + p[dim - 1]));
+    return ball_distance(p) * (1. + .5 * std::sin(4. * p[0] + p[dim - 1]));
   };
   double errors[2];
   for (const unsigned int i : {0, 1})
     {
       Mesh<dim> mesh(MPI_COMM_WORLD);
       make_box(mesh, i == 0 ? 16 : 32);
-      errors[i] = error<dim>(mesh, skewed, ball<dim>, .06);
+      errors[i] = error<dim>(mesh, skewed, ball_distance<dim>, .06);
     }
   EXPECT_LT(errors[0], 4e-3);
   EXPECT_LT(errors[1], errors[0] / 2.5);

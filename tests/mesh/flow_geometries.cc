@@ -21,7 +21,8 @@ namespace
   /// Jacobians in a cell.
   template <int dim>
   std::pair<double, double>
-  measure(const dealii::Triangulation<dim> &mesh, const unsigned int degree)
+  measure_and_quality(const dealii::Triangulation<dim> &mesh,
+                      const unsigned int                degree)
   {
     const dealii::MappingQ<dim>   mapping(degree);
     const dealii::FE_Nothing<dim> element;
@@ -69,8 +70,8 @@ namespace
     double before = 0.;
     for (unsigned int r = 0; r <= levels; ++r)
       {
-        EXPECT_GT(measure(made.mesh, 1).second, least_ratio) << r;
-        const auto [area, ratio] = measure(made.mesh, 2);
+        EXPECT_GT(measure_and_quality(made.mesh, 1).second, least_ratio) << r;
+        const auto [area, ratio] = measure_and_quality(made.mesh, 2);
         EXPECT_GT(ratio, least_ratio) << r;
         const double error = std::abs(area - exact);
         // Rounding ends the convergence.
@@ -177,7 +178,7 @@ TEST(CylinderInChannel, IsDrawnOutIn3D)
               channel.boundary_measure("back"),
               1e-12);
   channel.mesh.refine_global();
-  const auto [volume, ratio] = measure(channel.mesh, 2);
+  const auto [volume, ratio] = measure_and_quality(channel.mesh, 2);
   EXPECT_NEAR(volume, .41 * (2.5 * .41 - M_PI * .0025), 1e-6);
   EXPECT_GT(ratio, .25);
   for (const auto &face : channel.mesh.active_face_iterators())
@@ -270,7 +271,7 @@ TEST(Airfoil, IsDrawnOutIn3D)
   EXPECT_EQ(made.geometry->boundary_names().size(), 5u);
   EXPECT_NEAR(made.boundary_measure("outflow"), 16. * .5, 1e-12);
   made.mesh.refine_global();
-  EXPECT_GT(measure(made.mesh, 2).second, .2);
+  EXPECT_GT(measure_and_quality(made.mesh, 2).second, .2);
   const Geometries::NacaOutline outline("0012", 1.);
   for (const auto &face : made.mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() == 6)

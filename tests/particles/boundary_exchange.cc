@@ -148,9 +148,9 @@ TYPED_TEST(BoundaryExchangeMpi, WhatWasAtRestOutsideComesInAlongTheNormal)
   for (unsigned int i = 0; i < 10; ++i)
     channel.step(.5 / 6 / .3);
   unsigned int n = 0;
-  for (const auto &particle : channel.scene.population->handler())
+  for (const auto &particle : channel.scene.population->particles())
     {
-      const auto properties = particle.get_properties();
+      const auto properties = particle.properties();
       if (properties[0] == 0.)
         continue; // there from the start
       ++n;

@@ -59,10 +59,10 @@ namespace
   void
   make_water(Population<dim> &population, const double volume)
   {
-    for (auto &particle : population.handler())
+    for (auto &particle : population.particles())
       {
-        Population<dim>::set_level_set(particle.get_properties(), -1e-3);
-        particle.get_properties()[Population<dim>::volume_offset] = volume;
+        Population<dim>::set_level_set(particle.properties(), -1e-3);
+        particle.properties()[Population<dim>::volume_offset] = volume;
       }
   }
 
@@ -71,8 +71,8 @@ namespace
   total_volume(const Population<dim> &population)
   {
     double sum = 0;
-    for (const auto &particle : population.handler())
-      sum += particle.get_properties()[Population<dim>::volume_offset];
+    for (const auto &particle : population.particles())
+      sum += particle.properties()[Population<dim>::volume_offset];
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
 
@@ -243,8 +243,8 @@ namespace
         EXPECT_NEAR(drop.velocity[dim - 1], -gravity * .5, 1e-14);
       }
     // So much in a cell is water again.
-    for (auto &drop : drops.handler())
-      drop.get_properties()[Population<dim>::volume_offset] *= 16.;
+    for (auto &drop : drops.particles())
+      drop.properties()[Population<dim>::volume_offset] *= 16.;
     const double all = total_volume(particles) + spray.volumes()[0];
     spray.exchange(particles, level, falling<dim>(), -.5);
     EXPECT_EQ(drops.n_global_particles(), 0u);
@@ -300,8 +300,8 @@ TEST(DispersedPhaseMpi, BubblesGoWithTheFlowAndThroughIt)
   make_mesh(mesh, false);
   Population<2> bubbles(mesh);
   seed_plain(bubbles, 1);
-  for (auto &bubble : bubbles.handler())
-    bubble.get_properties()[Population<2>::volume_offset] = 1e-4;
+  for (auto &bubble : bubbles.particles())
+    bubble.properties()[Population<2>::volume_offset] = 1e-4;
   const auto before = all_states(bubbles);
   const auto water =
     nodal_scalar<2>(mesh, [](const auto &p) { return p[1] - 2.; });

@@ -11,7 +11,7 @@ namespace
   /// A box with hanging nodes, whose cells are distorted or not.
   template <int dim>
   void
-  make_mesh(Thalweg::Mesh<dim> &mesh, const bool distorted)
+  make_hanging_mesh(Thalweg::Mesh<dim> &mesh, const bool distorted)
   {
     make_box(mesh, 4);
     Point<dim> corner = middle_of_box<dim>();
@@ -68,7 +68,7 @@ namespace
   check_orders(const bool distorted, const unsigned int degree)
   {
     Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, distorted);
+    make_hanging_mesh(mesh, distorted);
     const double coarse     = distorted ? 0.25 : 0.5;
     const auto   rk2_coarse = rotation_errors(mesh, "rk2", 0.25, degree);
     const auto   rk2_fine   = rotation_errors(mesh, "rk2", 0.0625, degree);
@@ -89,7 +89,7 @@ namespace
   keep_velocity(const bool distorted)
   {
     Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, distorted);
+    make_hanging_mesh(mesh, distorted);
     const Point<dim> center = middle_of_box<dim>();
     const Field<dim> turn   = rotation<dim>(center);
     const Field<dim> inward = [turn, center](const Point<dim> &p) {
@@ -117,7 +117,7 @@ namespace
   accelerate_linearly(const unsigned int degree, const bool distorted)
   {
     Thalweg::Mesh<dim> mesh(MPI_COMM_WORLD);
-    make_mesh(mesh, distorted);
+    make_hanging_mesh(mesh, distorted);
     // a straight path is curved in the coordinates of distorted cells
     const double             tolerance = distorted ? 5e-6 : 1e-9;
     Thalweg::Population<dim> population(mesh);
@@ -245,7 +245,7 @@ TEST(PathConvectionMpi, ParabolicFlowIsExact)
 TEST(PathConvectionMpi, SteadyFieldsOfDegreeOneGoLikeStreamlines)
 {
   Thalweg::Mesh<2> mesh(MPI_COMM_WORLD);
-  make_mesh(mesh, false);
+  make_hanging_mesh(mesh, false);
   const Field<2> field = [](const Point<2> &p) {
     return Tensor<1, 2>({std::sin(9. * p[1]), std::cos(7. * p[0])});
   };

@@ -21,12 +21,11 @@ namespace
     {
       const auto &graph = population.mesh().graph();
       for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-        for (const auto &particle :
-             population.handler().particles_in_cell(graph.iterator(c)))
+        for (const auto &particle : population.in_cell(c))
           {
             cells.push_back(c);
-            points.push_back(particle.get_reference_location());
-            ids.push_back(particle.get_id());
+            points.push_back(particle.reference());
+            ids.push_back(particle.id());
           }
     }
   };
@@ -145,10 +144,10 @@ TEST(PathFeetMpi, PopulationControlTakesAnyTracer)
   };
   control.fill_empty_cells(population, tracer);
   EXPECT_EQ(population.n_global_particles(), 64u);
-  for (const auto &particle : population.handler())
+  for (const auto &particle : population.particles())
     {
-      EXPECT_NEAR(particle.get_properties()[0], 1.2, 1e-12);
-      EXPECT_EQ(particle.get_properties()[2], -1.);
+      EXPECT_NEAR(particle.properties()[0], 1.2, 1e-12);
+      EXPECT_EQ(particle.properties()[2], -1.);
     }
 }
 

@@ -105,12 +105,12 @@ namespace ParticleTest
   states(const Thalweg::Population<dim> &population)
   {
     States<dim> result;
-    for (const auto &particle : population.handler())
+    for (const auto &particle : population.particles())
       {
-        State<dim> &state = result[particle.get_id()];
-        state.position    = particle.get_location();
+        State<dim> &state = result[particle.id()];
+        state.position    = particle.position();
         for (unsigned int d = 0; d < dim; ++d)
-          state.velocity[d] = particle.get_properties()[d];
+          state.velocity[d] = particle.properties()[d];
       }
     return result;
   }
@@ -131,11 +131,11 @@ namespace ParticleTest
   void
   set_velocity(Thalweg::Population<dim> &population, const Field<dim> &field)
   {
-    for (auto &particle : population.handler())
+    for (auto &particle : population.particles())
       {
-        const auto value = field(particle.get_location());
+        const auto value = field(particle.position());
         for (unsigned int d = 0; d < dim; ++d)
-          particle.get_properties()[d] = value[d];
+          particle.properties()[d] = value[d];
       }
   }
 

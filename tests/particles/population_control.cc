@@ -41,10 +41,10 @@ namespace
               (1u << dim) * mesh.triangulation().n_global_active_cells());
     EXPECT_EQ(population.n_global_particles(), added);
     EXPECT_LE(inconsistency(population), 1e-12);
-    for (const auto &particle : population.handler())
+    for (const auto &particle : population.particles())
       {
-        const auto   properties = particle.get_properties();
-        const double x          = particle.get_location()[0];
+        const auto   properties = particle.properties();
+        const double x          = particle.position()[0];
         EXPECT_NEAR(properties[0], 1., 1e-12);
         EXPECT_EQ(properties[dim], x < 0.3 ? -1. : (x - 0.3 <= 0.5 ? 1. : -1.));
       }
@@ -80,10 +80,10 @@ TEST(PopulationControlMpi, OnlyEmptySubCellsAreFilled)
   const auto level_set = nodal_scalar<2>(mesh, [](const auto &) { return 1.; });
   control.fill_empty_cells(population, velocity, level_set, 0.1);
   EXPECT_EQ(population.n_global_particles(), 16u);
-  for (const auto &particle : population.handler())
+  for (const auto &particle : population.particles())
     {
-      const auto &reference = particle.get_reference_location();
-      EXPECT_TRUE(particle.get_id() < 4 || reference[0] < 0.5 ||
+      const auto &reference = particle.reference();
+      EXPECT_TRUE(particle.id() < 4 || reference[0] < 0.5 ||
                   reference[1] < 0.5);
     }
 }
@@ -118,11 +118,11 @@ TEST(PopulationControlMpi, CrowdedCellsKeepTheMixtureOfFluids)
         unsigned int           n = 0, n_negative = 0;
         std::set<unsigned int> quarters;
         for (const auto &particle :
-             population.handler().particles_in_cell(cell))
+             population.in_cell(mesh.graph().index(cell)))
           {
             ++n;
-            n_negative += particle.get_properties()[2] < 0 ? 1 : 0;
-            const auto &reference = particle.get_reference_location();
+            n_negative += particle.properties()[2] < 0 ? 1 : 0;
+            const auto &reference = particle.reference();
             quarters.insert((reference[0] > 0.5 ? 1 : 0) +
                             (reference[1] > 0.5 ? 2 : 0));
           }
@@ -151,9 +151,9 @@ TEST(PopulationControlMpi, VolumeAndMomentumOutliveTheirParticles)
                 [](const auto &cell) { return .3 * cell.measure; });
   const auto sums = [&]() {
     std::array<double, 4> sums{};
-    for (const auto &particle : population.handler())
+    for (const auto &particle : population.particles())
       {
-        const auto properties = particle.get_properties();
+        const auto properties = particle.properties();
         sums[Thalweg::Population<2>::fluid_of(properties)] += properties[3];
         for (unsigned int d = 0; d < 2; ++d)
           sums[2 + d] += properties[3] * properties[d];

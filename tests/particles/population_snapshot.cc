@@ -16,17 +16,16 @@ namespace
     std::vector<double> result;
     const auto         &graph = population.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
-      for (const auto &particle :
-           population.handler().particles_in_cell(graph.iterator(c)))
+      for (const auto &particle : population.in_cell(c))
         {
           result.push_back(c);
-          result.push_back(particle.get_id());
+          result.push_back(particle.id());
           for (unsigned int d = 0; d < dim; ++d)
             {
-              result.push_back(particle.get_location()[d]);
-              result.push_back(particle.get_reference_location()[d]);
+              result.push_back(particle.position()[d]);
+              result.push_back(particle.reference()[d]);
             }
-          for (const double property : particle.get_properties())
+          for (const double property : particle.properties())
             result.push_back(property);
         }
     return result;

@@ -38,16 +38,15 @@ TEST(SeedingMpi, JitterStaysInTheSubCellAndDiffersFromCellToCell)
   Thalweg::Population<2> population(mesh);
   seed_plain(population, 3, 0.5);
   std::set<double> coordinates;
-  for (const auto &particle : population.handler())
+  for (const auto &particle : population.particles())
     for (unsigned int d = 0; d < 2; ++d)
       {
-        const double x      = 3. * particle.get_reference_location()[d];
+        const double x      = 3. * particle.reference()[d];
         const double center = std::floor(x) + 0.5;
         EXPECT_LE(std::abs(x - center), 0.25);
         coordinates.insert(x - center);
       }
-  EXPECT_EQ(coordinates.size(),
-            2u * population.handler().n_locally_owned_particles());
+  EXPECT_EQ(coordinates.size(), 2u * population.n_particles());
   EXPECT_LE(inconsistency(population), 1e-14);
 }
 
@@ -63,12 +62,12 @@ TEST(SeedingMpi, RegularParticlesTakeVelocityAndLevelSetFromFunctions)
                   std::vector<double>{2., -3.}),
                 dealii::Functions::Monomial<2>(Tensor<1, 2>({1., 0.})));
   EXPECT_EQ(population.n_global_particles(), 81u);
-  for (const auto &particle : population.handler())
+  for (const auto &particle : population.particles())
     {
-      const auto properties = particle.get_properties();
+      const auto properties = particle.properties();
       EXPECT_EQ(properties[0], 2.);
       EXPECT_EQ(properties[1], -3.);
-      EXPECT_NEAR(properties[2], particle.get_location()[0], 1e-15);
+      EXPECT_NEAR(properties[2], particle.position()[0], 1e-15);
     }
 }
 
@@ -93,11 +92,11 @@ TEST(SeedingMpi, ParticlesOnTheInterfaceAreInTheSecondFluid)
                 dealii::Functions::ZeroFunction<2>(2),
                 Level());
   unsigned int n = 0;
-  for (const auto &particle : population.handler())
-    if (std::abs(particle.get_location()[0] - .5) < 1e-6)
+  for (const auto &particle : population.particles())
+    if (std::abs(particle.position()[0] - .5) < 1e-6)
       {
         ++n;
-        EXPECT_EQ(particle.get_properties()[2], 0.);
+        EXPECT_EQ(particle.properties()[2], 0.);
       }
   EXPECT_EQ(dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD), 15u);
 }
@@ -127,12 +126,12 @@ TEST(SeedingMpi, ParticlesShareTheVolumesOfTheirCells)
                 });
   EXPECT_EQ(population.n_global_particles(), 9u * 16u + 4u);
   double volumes[2] = {0., 0.};
-  for (const auto &particle : population.handler())
+  for (const auto &particle : population.particles())
     {
-      const auto         properties = particle.get_properties();
+      const auto         properties = particle.properties();
       const unsigned int fluid = Thalweg::Population<2>::fluid_of(properties);
       EXPECT_GT(properties[3], 0.);
-      EXPECT_EQ(fluid == 0, particle.get_location()[1] < .025);
+      EXPECT_EQ(fluid == 0, particle.position()[1] < .025);
       volumes[fluid] += properties[3];
     }
   EXPECT_NEAR(dealii::Utilities::MPI::sum(volumes[0], MPI_COMM_WORLD),

@@ -98,8 +98,8 @@ namespace ParticleTest
   positions(const Thalweg::Population<dim> &population)
   {
     std::map<unsigned int, Point<dim>> result;
-    for (const auto &particle : population.handler())
-      result[particle.get_id()] = particle.get_location();
+    for (const auto &particle : population.particles())
+      result[particle.id()] = particle.position();
     return result;
   }
 
@@ -123,19 +123,19 @@ namespace ParticleTest
   double
   inconsistency(const Thalweg::Population<dim> &population)
   {
-    double worst = 0;
-    for (const auto &particle : population.handler())
-      {
-        const auto &reference = particle.get_reference_location();
-        worst                 = std::max(worst,
-                         population.mesh()
-                           .mapping()
-                           .transform_unit_to_real_cell(
-                             particle.get_surrounding_cell(), reference)
-                           .distance(particle.get_location()));
-        for (unsigned int d = 0; d < dim; ++d)
-          worst = std::max({worst, -reference[d], reference[d] - 1.});
-      }
+    const auto &mesh  = population.mesh();
+    double      worst = 0;
+    for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+      for (const auto &particle : population.in_cell(c))
+        {
+          const auto &reference = particle.reference();
+          const auto  position =
+            mesh.mapping().transform_unit_to_real_cell(mesh.graph().iterator(c),
+                                                       reference);
+          worst = std::max(worst, position.distance(particle.position()));
+          for (unsigned int d = 0; d < dim; ++d)
+            worst = std::max({worst, -reference[d], reference[d] - 1.});
+        }
     return dealii::Utilities::MPI::max(worst, MPI_COMM_WORLD);
   }
 

@@ -51,7 +51,7 @@ namespace
 
   template <int dim>
   void
-  check_orders(const Thalweg::Mesh<dim> &mesh)
+  check_order_of_schemes(const Thalweg::Mesh<dim> &mesh)
   {
     const double rk2_coarse = rotation_error(mesh, "rk2", 0.5);
     const double rk2_fine   = rotation_error(mesh, "rk2", 0.125);
@@ -73,7 +73,7 @@ namespace
     refine_around(mesh, corner, 0.35);
     refine_around(mesh, corner, 0.2);
     EXPECT_TRUE(mesh.graph().all_axis_parallel());
-    check_orders(mesh);
+    check_order_of_schemes(mesh);
   }
 
   template <int dim>
@@ -87,7 +87,7 @@ namespace
     refine_around(mesh, corner, 0.35);
     distort(mesh, 0.06);
     EXPECT_FALSE(mesh.graph().all_axis_parallel());
-    check_orders(mesh);
+    check_order_of_schemes(mesh);
   }
 
   /// Constant velocity, periodic in x, ten times through the domain.
@@ -279,12 +279,9 @@ TEST(StreamlineConvectionMpi, OneThrownOutOfTheDomainIsCountedAsLost)
   Thalweg::Population<2> population(mesh);
   seed_plain(population, 2);
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-  for (auto &particle : population.handler())
-    if (particle.get_id() == 37)
-      {
-        particle.set_location({nowhere, nowhere});
-        particle.set_reference_location({nowhere, nowhere});
-      }
+  for (auto &particle : population.particles())
+    if (particle.id() == 37)
+      particle.place() = {{nowhere, nowhere}, {nowhere, nowhere}};
   const Thalweg::StreamlineConvection<2> convection(mesh, {}, {});
   const auto velocity = nodal<2>(mesh, [](const Point<2> &) {
     return Tensor<1, 2>({1., 0.});
@@ -356,13 +353,13 @@ TEST(StreamlineConvectionMpi, TraceBackInvertsTheMove)
 
   std::vector<unsigned int> cells, ids;
   std::vector<Point<2>>     points;
-  for (const auto &particle : population.handler())
-    {
-      cells.push_back(mesh.graph().index_from_active_cell_index(
-        particle.get_surrounding_cell()->active_cell_index()));
-      points.push_back(particle.get_reference_location());
-      ids.push_back(particle.get_id());
-    }
+  for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+    for (const auto &particle : population.in_cell(c))
+      {
+        cells.push_back(c);
+        points.push_back(particle.reference());
+        ids.push_back(particle.id());
+      }
   // and one that came in through the boundary in this time
   const bool has_corner = mesh.graph().n_owned_cells() > 0 &&
                           mesh.graph().cell(0).vertices[0].norm() < 1e-12;

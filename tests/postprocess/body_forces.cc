@@ -8,7 +8,7 @@
 namespace
 {
   /// A ring around a body of radius 1; boundary 0 is the body.
-  const std::string ring =
+  const std::string unit_ring =
     section("Geometry",
             {"Model = generator"},
             section("generator",
@@ -27,8 +27,6 @@ namespace
     section("Refinement",
             {"Global levels = 1", "Local levels = if(x > 0, 1, 0)"}) +
     one_fluid(2., 0.5);
-
-  constexpr double pi = dealii::numbers::PI;
 
   /// The value in the column @p name of the last row.
   double
@@ -49,7 +47,7 @@ namespace
 
 TEST(BodyForcesMpi, PressureOnACircleIsItsArea)
 {
-  State<2>         state(ring);
+  State<2>         state(unit_ring);
   const OwnFlow<2> flow(
     state.mesh,
     2,
@@ -68,7 +66,7 @@ TEST(BodyForcesMpi, PressureOnACircleIsItsArea)
 
 TEST(BodyForcesMpi, ResidualEqualsDirectIntegrationOnHangingNodes)
 {
-  State<2>   state(ring);
+  State<2>   state(unit_ring);
   OwnFlow<2> flow(
     state.mesh,
     2,
@@ -122,7 +120,7 @@ TEST(BodyForcesMpi, ResidualEqualsDirectIntegrationIn3D)
 
 TEST(BodyForcesMpi, CoefficientsUnderAnAngle)
 {
-  State<2>   state(ring);
+  State<2>   state(unit_ring);
   OwnFlow<2> flow(
     state.mesh,
     1,
@@ -151,7 +149,7 @@ TEST(BodyForcesMpi, CoefficientsUnderAnAngle)
 
 TEST(BodyForcesMpi, OlderMethodsIntegrateStressesOnly)
 {
-  State<2> state(ring);
+  State<2> state(unit_ring);
   state.set(state.pressure, [](const auto &p) { return p[0]; });
   state.run("body forces", {"Boundaries = 0, 1"});
   const auto table = state.read("body_forces.csv");
@@ -173,7 +171,7 @@ TEST(BodyForcesMpi, OlderMethodsIntegrateStressesOnly)
 
 TEST(BodyForcesMpi, SummaryFindsTheStrouhalNumber)
 {
-  State<2>   state(ring);
+  State<2>   state(unit_ring);
   const auto run = [&](const double end) {
     const auto         tool = state.prepare("body forces",
                                     {"Boundaries = 0",
@@ -215,7 +213,7 @@ TEST(BodyForcesMpi, SummaryFindsTheStrouhalNumber)
 
 TEST(BodyForcesMpi, SteadyFlowsHaveNoStrouhalNumber)
 {
-  State<2>           state(ring);
+  State<2>           state(unit_ring);
   const auto         tool = state.prepare("body forces", {"Boundaries = 0"});
   const unsigned int n    = 200;
   for (unsigned int step = 0; step <= n; ++step)
@@ -237,7 +235,7 @@ TEST(BodyForcesMpi, SteadyFlowsHaveNoStrouhalNumber)
 
 TEST(BodyForcesMpi, ResidualColumnsAreThereBeforeThereIsAReaction)
 {
-  State<2>              state(ring);
+  State<2>              state(unit_ring);
   const Thalweg::Vector none;
   const OwnFlow<2>      flow(
     state.mesh,

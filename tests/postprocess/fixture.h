@@ -17,6 +17,8 @@
 #include "support/scene.h"
 #include "support/whole.h"
 
+constexpr double pi = dealii::numbers::PI;
+
 /// A scene with fields given by functions, for those who look at them.
 template <int dim>
 class State : public Scene<dim>

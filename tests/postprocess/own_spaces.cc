@@ -7,9 +7,7 @@
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
-  const std::string ring =
+  const std::string own_ring =
     section("Geometry",
             {"Model = generator"},
             section("generator",
@@ -19,7 +17,7 @@ namespace
             {"Global levels = 2", "Local levels = if(x > 0, 1, 0)"}) +
     one_fluid(2., 0.5);
 
-  const std::string box = hanging_box<2>(4) + one_fluid(2., .5);
+  const std::string own_box = hanging_box<2>(4) + one_fluid(2., .5);
 
   /// Quadratic, to tell the flow's space from its values at vertices.
   dealii::Tensor<1, 2>
@@ -32,7 +30,7 @@ namespace
 
 TEST(OwnSpacesMpi, ProbesAreExactAlsoOnACurvedWall)
 {
-  State<2>         state(ring);
+  State<2>         state(own_ring);
   const OwnFlow<2> flow(state.mesh, 2, velocity, [](const auto &p) {
     return p[0];
   });
@@ -59,7 +57,7 @@ TEST(OwnSpacesMpi, ProbesAreExactAlsoOnACurvedWall)
 
 TEST(OwnSpacesMpi, LineProfileHasExactValues)
 {
-  State<2>         state(box);
+  State<2>         state(own_box);
   const OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) {
     return 3. * p[1];
   });
@@ -92,7 +90,7 @@ TEST(OwnSpacesMpi, LineProfileHasExactValues)
 
 TEST(OwnSpacesMpi, ErrorsAreZeroForWhatTheSpaceHolds)
 {
-  State<2>         state(box);
+  State<2>         state(own_box);
   const OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) {
     return p[0] + 7.;
   });
@@ -126,7 +124,7 @@ TEST(OwnSpacesMpi, ErrorsAreZeroForWhatTheSpaceHolds)
 
 TEST(OwnSpacesMpi, EnergyAndMomentumAreIntegratedExactly)
 {
-  State<2>         state(box);
+  State<2>         state(own_box);
   const OwnFlow<2> flow(
     state.mesh, 1, velocity, [](const auto &) { return 0.; }, 2., .5);
   const auto quantities = [&]() {
@@ -159,7 +157,7 @@ TEST(OwnSpacesMpi, EnergyAndMomentumAreIntegratedExactly)
 
 TEST(OwnSpacesMpi, MeansAndReynoldsStresses)
 {
-  State<2>   state(box);
+  State<2>   state(own_box);
   OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) { return p[0]; });
   Thalweg::FlowMeans<2> means(/* with_stresses */ true);
   means.initialize(state.mesh, flow.fields);
@@ -188,7 +186,7 @@ TEST(OwnSpacesMpi, MeansAndReynoldsStresses)
 
 TEST(OwnSpacesMpi, TimeAveragesWriteOnceThereIsOne)
 {
-  State<2>         state(box);
+  State<2>         state(own_box);
   const OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) {
     return p[0];
   });
@@ -210,7 +208,7 @@ TEST(OwnSpacesMpi, TimeAveragesWriteOnceThereIsOne)
 
 TEST(OwnSpacesMpi, FieldsAreDividedByTheDegree)
 {
-  State<2>         state(ring);
+  State<2>         state(own_ring);
   const OwnFlow<2> flow(state.mesh, 1, velocity, [](const auto &p) {
     return p[0];
   });

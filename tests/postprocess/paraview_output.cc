@@ -2,6 +2,7 @@
 #include <thalweg/postprocess/pvd_record.h>
 
 #include "fixture.h"
+#include "support/put_particle.h"
 
 namespace
 {
@@ -30,23 +31,14 @@ namespace
   check_output()
   {
     State<dim>         state(section("Refinement", {"Global levels = 3"}));
-    auto              &handler     = state.population->handler();
     const unsigned int n_particles = 3 * state.mesh.graph().n_owned_cells();
     for (unsigned int p = 0; p < n_particles; ++p)
       {
-        const auto        &cell = state.mesh.graph().iterator(p / 3);
         dealii::Point<dim> xi;
         for (unsigned int d = 0; d < dim; ++d)
           xi[d] = 0.25 * (1 + p % 3);
-        dealii::Particles::Particle<dim> particle(
-          state.mesh.mapping().transform_unit_to_real_cell(cell, xi),
-          xi,
-          1000 * dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + p);
-        auto inserted = handler.insert_particle(particle, cell);
-        inserted->set_properties(
-          std::vector<double>(Thalweg::Population<dim>::n_properties, 0.5 * p));
+        put_particle(*state.population, p / 3, xi, .5 * p);
       }
-    handler.update_cached_numbers();
     const auto fields    = state.run("fields");
     const auto particles = state.run("particles");
 

@@ -13,7 +13,7 @@ namespace
   using Tool   = std::unique_ptr<Thalweg::Postprocessor<2>>;
   using Fields = std::map<std::string, std::vector<double>>;
 
-  const std::string box = hanging_box<2>(4);
+  const std::string resumed_box = hanging_box<2>(4);
 
 
   /// The local values of all fields that are named, ghosts included.
@@ -47,7 +47,7 @@ namespace
   {
   public:
     explicit Stage(const bool own_flow)
-      : state(own_flow ? box + one_fluid(2., .5) : box)
+      : state(own_flow ? resumed_box + one_fluid(2., .5) : resumed_box)
       , flow(
           state.mesh,
           1,
@@ -208,7 +208,7 @@ TEST(ResumptionMpi, MeansOverTimeAreTheSameBitByBit)
 
 TEST(ResumptionMpi, MissingFilesAreToldAndBegunAnew)
 {
-  State<2>          state(box);
+  State<2>          state(resumed_box);
   const std::string said = own_path("said.txt");
   state.context.log.open(said);
   const Archive archive;

@@ -7,9 +7,7 @@
 
 namespace
 {
-  constexpr double pi = dealii::numbers::PI;
-
-  const std::string ring =
+  const std::string coefficient_ring =
     section("Geometry",
             {"Model = generator"},
             section("generator",
@@ -19,7 +17,7 @@ namespace
             {"Global levels = 2", "Local levels = if(x > 0, 1, 0)"}) +
     one_fluid(2., 0.5);
 
-  const std::string box =
+  const std::string coefficient_box =
     section("Geometry",
             {},
             section("box", {"Upper corner = 2, 1", "Repetitions = 4, 2"})) +
@@ -45,7 +43,7 @@ TEST(SurfaceChain, StringsOpenLinesAndLoops)
 
 TEST(SurfaceCoefficientsMpi, GoAroundACircle)
 {
-  State<2>         state(ring);
+  State<2>         state(coefficient_ring);
   const OwnFlow<2> flow(
     state.mesh,
     2,
@@ -89,7 +87,7 @@ TEST(SurfaceCoefficientsMpi, GoAroundACircle)
 
 TEST(SurfaceCoefficientsMpi, FindTheReattachment)
 {
-  State<2>         state(box);
+  State<2>         state(coefficient_box);
   const OwnFlow<2> flow(
     state.mesh,
     1,
@@ -121,7 +119,7 @@ TEST(SurfaceCoefficientsMpi, FindTheReattachment)
 
 TEST(SurfaceCoefficientsMpi, TrustTheTractionMoreThanGradients)
 {
-  State<2>   state(box);
+  State<2>   state(coefficient_box);
   OwnFlow<2> flow(
     state.mesh,
     1,
@@ -156,7 +154,7 @@ TEST(SurfaceCoefficientsMpi, TrustTheTractionMoreThanGradients)
 
 TEST(SurfaceCoefficientsMpi, AverageOverUnequalSteps)
 {
-  State<2>   state(box);
+  State<2>   state(coefficient_box);
   const auto tool = state.prepare("surface coefficients",
                                   {"Boundaries = bottom", "Average from = 1"});
   const auto step = [&](const double time, const double dt, const bool last) {

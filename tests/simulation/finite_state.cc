@@ -79,9 +79,9 @@ TEST(FiniteState, FieldsAreNamedWithTheirPlace)
 TEST(FiniteState, ParticlesAreNamedWithTheirPlace)
 {
   WithParticles state(1.);
-  for (auto &particle : state.population->handler())
-    if (particle.get_location().distance({.75, .25}) < 1e-9)
-      particle.get_properties()[1] = undefined;
+  for (auto &particle : state.population->particles())
+    if (particle.position().distance({.75, .25}) < 1e-9)
+      particle.properties()[1] = undefined;
   expect_complaint(state.view(),
                    "at (0.75 0.25) carries a velocity in y that is");
 }

@@ -63,7 +63,7 @@ namespace
     }
 
     void
-    keep(const State<2> &state) override
+    keep(const Thalweg::State<2> &state) override
     {
       state.values().value("sub-steps", n_advances);
       state.field("value", *space, value, 1);

@@ -12,7 +12,7 @@ namespace
   /// A column that collapses, from which hanging nodes are not far.
   template <int dim>
   std::string
-  collapse()
+  hanging_collapse()
   {
     return (dim == 2 ? box_of("12, 12", "if(y < 0.3, 1, 0)")
                      : box_of("6, 6, 6", "if(x < 0.5, 1, 0)")) +
@@ -80,7 +80,7 @@ namespace
 TEST(PartitionMpi, DamBreak2d)
 {
   // Out of balance at once, if the partition could change.
-  compare<2>(collapse<2>() +
+  compare<2>(hanging_collapse<2>() +
                section("Load balance", {"Interval = 1", "Threshold = 1"}),
              two_fluid_columns);
 }
@@ -89,7 +89,7 @@ TEST(PartitionMpi, DamBreak2d)
 
 TEST(PartitionMpi, DamBreak3d)
 {
-  compare<3>(collapse<3>(), two_fluid_columns);
+  compare<3>(hanging_collapse<3>(), two_fluid_columns);
 }
 
 
@@ -97,7 +97,7 @@ TEST(PartitionMpi, DamBreak3d)
 TEST(PartitionMpi, DamBreakInAPeriodicBox)
 {
   compare<2>(section("Geometry", {"Periodic boundaries = left:right"}) +
-               collapse<2>(),
+               hanging_collapse<2>(),
              two_fluid_columns);
 }
 
@@ -112,8 +112,8 @@ TEST(PartitionMpi, SingleFluidAroundACylinder)
 
 TEST(Partition, DoesNotMatterOnOneProcess)
 {
-  const RunCase<2> one(collapse<2>() + metis, MPI_COMM_SELF);
-  const RunCase<2> other(collapse<2>(), MPI_COMM_SELF);
+  const RunCase<2> one(hanging_collapse<2>() + metis, MPI_COMM_SELF);
+  const RunCase<2> other(hanging_collapse<2>(), MPI_COMM_SELF);
   for (const std::string &column : two_fluid_columns)
     EXPECT_EQ(one.last(column), other.last(column)) << column;
 }

@@ -52,12 +52,12 @@ namespace
       for (const Vector *field :
            {&solution.velocity, &solution.pressure, &solution.level_set})
         numbers.insert(numbers.end(), field->begin(), field->end());
-      for (const auto &particle : solution.population.handler())
+      for (const auto &particle : solution.population.particles())
         {
-          numbers.push_back(particle.get_id());
+          numbers.push_back(particle.id());
           for (unsigned int d = 0; d < 2; ++d)
-            numbers.push_back(particle.get_location()[d]);
-          const auto properties = particle.get_properties();
+            numbers.push_back(particle.position()[d]);
+          const auto properties = particle.properties();
           numbers.insert(numbers.end(), properties.begin(), properties.end());
         }
       return numbers;

@@ -78,7 +78,7 @@ namespace
 
   template <int dim>
   double
-  largest_velocity(const RunCase<dim> &run)
+  largest_speed(const RunCase<dim> &run)
   {
     return std::max(run.last("max velocity 1 [m/s]"),
                     run.last("max velocity 2 [m/s]"));
@@ -86,9 +86,9 @@ namespace
 
   template <int dim>
   double
-  largest_velocity(const std::string &text)
+  largest_speed(const std::string &text)
   {
-    return largest_velocity(RunCase<dim>(text));
+    return largest_speed(RunCase<dim>(text));
   }
 
   const Normal<3>   flat_3d = {{0., 0., 1.}}, general_3d = {{.36, .48, .8}};
@@ -101,7 +101,7 @@ namespace
 TEST(Rest, FlatInterfaceStaysAtRest)
 {
   for (const std::string height : {"0.41", "0.45", "0.4999"})
-    EXPECT_LT(largest_velocity<2>(rest<2>(
+    EXPECT_LT(largest_speed<2>(rest<2>(
                 box_of("10, 10", "0"), tilted(0.), 10, "y - " + height)),
               1e-9)
       << height;
@@ -112,7 +112,7 @@ TEST(Rest, FlatInterfaceStaysAtRest)
 TEST(Rest, TiltedPlanesStayAtRest)
 {
   for (const double angle : {1., 17., 40., 45.})
-    EXPECT_LT(largest_velocity<2>(rest<2>(box_of("8, 8", "0"), tilted(angle))),
+    EXPECT_LT(largest_speed<2>(rest<2>(box_of("8, 8", "0"), tilted(angle))),
               1e-9)
       << angle;
 }
@@ -122,7 +122,7 @@ TEST(Rest, TiltedPlanesStayAtRest)
 TEST(Rest, LevelSetsThatAreNoDistancesToo)
 {
   for (const std::string level_set : {"y^2 - 0.26", "7*(y - 0.513)"})
-    EXPECT_LT(largest_velocity<2>(
+    EXPECT_LT(largest_speed<2>(
                 rest<2>(box_of("8, 8", "0"), tilted(0.), 5, level_set)),
               1e-9)
       << level_set;
@@ -133,7 +133,7 @@ TEST(Rest, LevelSetsThatAreNoDistancesToo)
 TEST(Rest, TiltedPlanesAcrossHangingNodesStayAtRest)
 {
   for (const double angle : {0., 17., 45.})
-    EXPECT_LT(largest_velocity<2>(
+    EXPECT_LT(largest_speed<2>(
                 rest<2>(box_of("8, 8", "if(x < 0.4, 1, 0)"), tilted(angle))),
               1e-9)
       << angle;
@@ -148,7 +148,7 @@ TEST(Rest, TiltedPlanesInCellsOfAnyShapeStayAtRest)
       const IrregularMesh<2> mesh(8, triangles ? .2 : .3, triangles);
       for (const double angle : {0., 17., 40.})
         for (const std::string &walls : {std::string(), no_slip})
-          EXPECT_LT(largest_velocity<2>(
+          EXPECT_LT(largest_speed<2>(
                       rest<2>(mesh.geometry(triangles), tilted(angle), 5) +
                       walls),
                     1e-9)
@@ -167,7 +167,7 @@ TEST(Rest, ATiltedPlaneInADiscStaysAtRest)
                     {"Function = hyper_ball",
                      "Arguments = 0.5, 0.5 : 0.5 : true"})) +
     section("Refinement", {"Global levels = 2"});
-  EXPECT_LT(largest_velocity<2>(rest<2>(disc, tilted(20.), 5)), 1e-9);
+  EXPECT_LT(largest_speed<2>(rest<2>(disc, tilted(20.), 5)), 1e-9);
 }
 
 
@@ -181,7 +181,7 @@ TEST(Rest, ATiltedPlaneAtAnObstacleStaysAtRest)
                     {"Upper corner = 1, 1",
                      "Cell size = 0.125",
                      "Obstacles = 0.25, 0.375 : 0.5, 0.625"}));
-  EXPECT_LT(largest_velocity<2>(rest<2>(box, tilted(17.), 5)), 1e-9);
+  EXPECT_LT(largest_speed<2>(rest<2>(box, tilted(17.), 5)), 1e-9);
 }
 
 
@@ -193,7 +193,7 @@ TEST(Rest, BesideAnOpenHydrostaticSide)
   const std::string open =
     section("Boundary conditions",
             {"Open = right: -9.81*" + phi + "*if(" + phi + " < 0, 1000, 1.2)"});
-  EXPECT_LT(largest_velocity<2>(
+  EXPECT_LT(largest_speed<2>(
               rest<2>(box_of("8, 8", "if(y < 0.5, 1, 0)"), normal) + open +
               two_fluids(1000., 1.2)),
             1e-9);
@@ -204,17 +204,15 @@ TEST(Rest, BesideAnOpenHydrostaticSide)
 TEST(Rest, PlanesStayAtRest3d)
 {
   for (const std::string levels : {"0", "if(x + y < 0.7, 1, 0)"})
-    EXPECT_LT(largest_velocity<3>(
-                rest<3>(box_of("4, 4, 4", levels), general_3d, 3)),
-              1e-9)
+    EXPECT_LT(
+      largest_speed<3>(rest<3>(box_of("4, 4, 4", levels), general_3d, 3)), 1e-9)
       << levels;
   for (const bool tetrahedra : {false, true})
     {
       const IrregularMesh<3> mesh(tetrahedra ? 2 : 4, .2, tetrahedra);
       for (const auto &normal : {flat_3d, general_3d})
-        EXPECT_LT(largest_velocity<3>(
-                    rest<3>(mesh.geometry(tetrahedra), normal, 2)),
-                  1e-9)
+        EXPECT_LT(
+          largest_speed<3>(rest<3>(mesh.geometry(tetrahedra), normal, 2)), 1e-9)
           << tetrahedra << normal[0];
     }
 }
@@ -225,8 +223,8 @@ TEST(Rest, WithoutEnrichmentItMoves)
 {
   // What would be the same in each column of cells does not move a level
   // surface.
-  EXPECT_GT(largest_velocity<2>(rest<2>(box_of("10, 10", "0"), tilted(17.)) +
-                                section("Interface", {"Enrichment = none"})),
+  EXPECT_GT(largest_speed<2>(rest<2>(box_of("10, 10", "0"), tilted(17.)) +
+                             section("Interface", {"Enrichment = none"})),
             1e-3);
 }
 
@@ -242,7 +240,7 @@ TEST(RestMpi, TiltedPlaneOnAMeshThatAdaptsEveryStepStaysAtRest)
                         "region",
                         {"At least = " + wave, "At most = " + wave});
   const RunCase<2> run(rest<2>(mesh, tilted(17.)));
-  EXPECT_LT(largest_velocity(run), 1e-9);
+  EXPECT_LT(largest_speed(run), 1e-9);
   EXPECT_GT(run.last("adaptations"), 5.);
   EXPECT_EQ(run.last("particles lost"), 0.);
 }
@@ -259,6 +257,6 @@ TEST(RestMpi, TiltedPlaneOnAMeshThatAdaptsEveryStepStaysAtRest3d)
                         "region",
                         {"At least = " + wave, "At most = " + wave});
   const RunCase<3> run(rest<3>(mesh, general_3d));
-  EXPECT_LT(largest_velocity(run), 1e-9);
+  EXPECT_LT(largest_speed(run), 1e-9);
   EXPECT_GT(run.last("adaptations"), 2.);
 }

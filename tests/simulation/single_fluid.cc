@@ -8,12 +8,12 @@
 
 namespace
 {
-  using Settings = std::vector<std::string>;
+  using Lines = std::vector<std::string>;
 
 
   /// The method with these settings, and those of the l2 projection.
   std::string
-  method(const Settings &settings = {}, const Settings &projection = {})
+  method(const Lines &settings = {}, const Lines &projection = {})
   {
     return section(
       "Method",
@@ -24,19 +24,18 @@ namespace
   }
 
   /// Tolerances of which nothing is seen.
-  const Settings tight{"Pressure tolerance = 1e-12",
-                       "Velocity tolerance = 1e-13"};
-  const Settings tight_projection{"Tolerance = 1e-13"};
+  const Lines tight{"Pressure tolerance = 1e-12", "Velocity tolerance = 1e-13"};
+  const Lines tight_projection{"Tolerance = 1e-13"};
 
-  Settings
-  operator+(Settings a, const Settings &b)
+  Lines
+  operator+(Lines a, const Lines &b)
   {
     a.insert(a.end(), b.begin(), b.end());
     return a;
   }
 
   std::string
-  steps(const double dt, const double end)
+  time_steps(const double dt, const double end)
   {
     return section("Time",
                    {"Time step = " + std::to_string(dt),
@@ -83,7 +82,7 @@ namespace
     return unit_box<2>(n,
                        "0",
                        {"Periodic boundaries = left:right, bottom:top"}) +
-           steps(dt, end) + one_fluid(1., nu) +
+           time_steps(dt, end) + one_fluid(1., nu) +
            starts_with("sin(2*pi*x)*cos(2*pi*y); -cos(2*pi*x)*sin(2*pi*y)");
   }
 
@@ -112,12 +111,11 @@ namespace
     return unit_box<2>(4,
                        "if(y < 0.5, 1, 0)",
                        {"Periodic boundaries = left:right"}) +
-           method(tight +
-                    Settings{"Viscous theta = " + theta,
-                             "Velocity degree = " + std::to_string(degree)},
+           method(tight + Lines{"Viscous theta = " + theta,
+                                "Velocity degree = " + std::to_string(degree)},
                   tight_projection) +
            // nu dt / h^2 = 50 with h = 1/8
-           steps(50. / 64., 10. * 50. / 64.) + one_fluid(1., 1.) +
+           time_steps(50. / 64., 10. * 50. / 64.) + one_fluid(1., 1.) +
            section("Body forces", {"Force density = " + force + "; 0"}) +
            section("Boundary conditions",
                    {"No slip = bottom", "Velocity = top: " + top + "; 0"}) +
@@ -210,11 +208,10 @@ TEST(SingleFluid, UniformFlowStaysUniform)
     for (const std::string degrees :
          {"Velocity degree = 1", "Velocity degree = 2"})
       {
-        const RunCase<2> run(
-          hanging_box<2>(4) +
-          method(tight + Settings{degrees}, tight_projection) +
-          steps(1.25, 12.5) + one_fluid(2., .1) + conditions +
-          starts_with("1; 0.5"));
+        const RunCase<2> run(hanging_box<2>(4) +
+                             method(tight + Lines{degrees}, tight_projection) +
+                             time_steps(1.25, 12.5) + one_fluid(2., .1) +
+                             conditions + starts_with("1; 0.5"));
         EXPECT_GT(run.last("Courant number"), 9.9);
         EXPECT_LT(velocity_error(run,
                                  [](const auto &) {
@@ -275,7 +272,7 @@ TEST(SingleFluid, TrapezoidalViscosityIsStableAtFourierNumber100)
     const std::string noise = "0.1*sin(16*pi*x)*sin(7*pi*y)";
     const RunCase<2>  run(
       unit_box<2>(16, "0", {"Periodic boundaries = left:right"}) +
-      method({"Viscous theta = 0.5"}) + steps(dt, n_steps * dt) +
+      method({"Viscous theta = 0.5"}) + time_steps(dt, n_steps * dt) +
       one_fluid(1., 1.) + section("Body forces", {"Force density = 8; 0"}) +
       section("Boundary conditions", {"No slip = bottom, top"}) +
       starts_with("4*y*(1-y) + " + noise + "; 0.1*sin(12*pi*x)*sin(12*pi*y)"));
@@ -295,9 +292,8 @@ TEST(SingleFluid, WaterAtRestStaysAtRest)
   for (const std::string degrees :
        {"Velocity degree = 1", "Velocity degree = 2"})
     {
-      const RunCase<2> run(hanging_box<2>(4) +
-                           method(tight + Settings{degrees}) + steps(.1, .5) +
-                           one_fluid(1000., .001) +
+      const RunCase<2> run(hanging_box<2>(4) + method(tight + Lines{degrees}) +
+                           time_steps(.1, .5) + one_fluid(1000., .001) +
                            section("Body forces", {"Gravity = 0, -9.81"}) +
                            section("Boundary conditions", {"Open = top: 5"}));
       EXPECT_LT(velocity_error(
@@ -332,7 +328,7 @@ namespace
   /// Every process also runs the case alone; both must agree.
   template <int dim>
   void
-  compare_with_one_process(const std::string &text)
+  compare_flow_with_one_process(const std::string &text)
   {
     const RunCase<dim> together(text), alone(text, MPI_COMM_SELF);
     for (const std::string column :
@@ -348,10 +344,10 @@ namespace
   /// A lid drives the fluid in a box with hanging nodes.
   template <int dim>
   std::string
-  cavity(const unsigned int n, const Settings &settings)
+  hanging_cavity(const unsigned int n, const Lines &settings)
   {
     return hanging_box<dim>(n) + method(tight + settings, tight_projection) +
-           steps(.1, .5) + one_fluid(1., .01) +
+           time_steps(.1, .5) + one_fluid(1., .01) +
            section("Boundary conditions",
                    {"Otherwise = no slip",
                     "Velocity = top: 16*x^2*(1-x)^2; 0" +
@@ -363,24 +359,25 @@ namespace
 
 TEST(SingleFluidMpi, RanksAgree)
 {
-  compare_with_one_process<2>(cavity<2>(6, {}));
-  compare_with_one_process<2>(
-    cavity<2>(6, {"Explicit pressure = incremental"}));
-  compare_with_one_process<2>(cavity<2>(4, {"Velocity degree = 2"}));
+  compare_flow_with_one_process<2>(hanging_cavity<2>(6, {}));
+  compare_flow_with_one_process<2>(
+    hanging_cavity<2>(6, {"Explicit pressure = incremental"}));
+  compare_flow_with_one_process<2>(
+    hanging_cavity<2>(4, {"Velocity degree = 2"}));
 }
 
 
 
 TEST(SingleFluidMpi, RanksAgree3d)
 {
-  compare_with_one_process<3>(cavity<3>(3, {}));
+  compare_flow_with_one_process<3>(hanging_cavity<3>(3, {}));
 }
 
 
 
 TEST(SingleFluidMpi, RanksAgreeInPeriodicBoxes)
 {
-  compare_with_one_process<2>(
+  compare_flow_with_one_process<2>(
     vortices(8, .05, .2) + method(tight, tight_projection) +
     section("Refinement", {"Local levels = if(x + y < 0.9, 1, 0)"}));
 }
@@ -389,7 +386,7 @@ TEST(SingleFluidMpi, RanksAgreeInPeriodicBoxes)
 
 TEST(SingleFluid, TwoRunsAgreeToTheLastBit)
 {
-  const std::string text = cavity<2>(6, {});
+  const std::string text = hanging_cavity<2>(6, {});
   const RunCase<2>  first(text), second(text);
   for (const std::string column :
        {"kinetic energy [J]", "max velocity 1 [m/s]", "particles"})

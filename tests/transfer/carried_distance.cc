@@ -60,19 +60,19 @@ namespace
         const Visit    &visit)
   {
     fill(scene, .6);
-    for (auto &particle : scene.population->handler())
-      particle.get_properties()[Population<dim>::level_set_offset] =
-        distance(particle.get_location());
+    for (auto &particle : scene.population->particles())
+      particle.properties()[Population<dim>::level_set_offset] =
+        distance(particle.position());
     CarriedDistance<dim> carried(*scene.space);
     carried.find_rates(scene.scalar(distance), scene.velocity(velocity));
     carried.apply(*scene.population, dt);
     const double band = scene.mesh.graph().minimal_extent();
     unsigned int n    = 0;
-    for (const auto &particle : scene.population->handler())
-      if (std::abs(distance(particle.get_location())) < band)
+    for (const auto &particle : scene.population->particles())
+      if (std::abs(distance(particle.position())) < band)
         {
-          visit(particle.get_location(),
-                particle.get_properties()[Population<dim>::level_set_offset]);
+          visit(particle.position(),
+                particle.properties()[Population<dim>::level_set_offset]);
           ++n;
         }
     EXPECT_GT(sum_of_all(n), 10.);

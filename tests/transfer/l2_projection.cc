@@ -81,12 +81,11 @@ TYPED_TEST(L2ProjectionMpi, TheMomentumStays)
   dealii::Tensor<1, dim> lost;
   for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
     {
-      const auto &all = scene->population->handler();
-      for (const auto &particle : all.particles_in_cell(graph.iterator(c)))
+      const auto &all = *scene->population;
+      for (const auto &particle : all.in_cell(c))
         for (unsigned int d = 0; d < dim; ++d)
-          lost[d] += graph.cell(c).measure /
-                     all.n_particles_in_cell(graph.iterator(c)) *
-                     particle.get_properties()[d];
+          lost[d] +=
+            graph.cell(c).measure / all.n_in_cell(c) * particle.properties()[d];
     }
   EXPECT_LT(dealii::Utilities::MPI::sum(lost, MPI_COMM_WORLD).norm(), 1e-12);
 }
@@ -110,13 +109,12 @@ TYPED_TEST(L2ProjectionMpi, TheGuessHoldsWhereNoParticleSpeaks)
   const dealii::MappingQ<dim> mapping(2);
   const auto                  scene = bent<dim>();
   fill(*scene, 0., 2);
-  auto &all = scene->population->handler();
-  std::vector<typename Population<dim>::Iterator> gone;
-  for (auto particle = all.begin(); particle != all.end(); ++particle)
-    if (particle->get_location()[0] > .5)
-      gone.push_back(particle);
-  all.remove_particles(gone);
-  all.update_cached_numbers();
+  auto                     &population = *scene->population;
+  std::vector<unsigned int> gone;
+  for (const auto &particle : population.particles())
+    if (particle.position()[0] > .5)
+      gone.push_back(particle.index_in(population.all()));
+  population.remove(gone);
   for (const unsigned int degree : {1u, 2u})
     {
       const LagrangeSpace<dim> space(scene->mesh, degree, mapping);

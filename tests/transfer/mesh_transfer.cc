@@ -105,26 +105,27 @@ namespace
         ASSERT_NEAR(p.local_element(i), exact_p.local_element(i), 1e-12);
 
       EXPECT_EQ(population.n_global_particles(), n_particles);
-      for (const auto &particle : population.handler())
-        {
-          const auto cell      = particle.get_surrounding_cell();
-          const auto position  = particle.get_location();
-          const auto reference = particle.get_reference_location();
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              EXPECT_GE(reference[d], 0.);
-              EXPECT_LE(reference[d], 1. + 1e-12);
-            }
-          EXPECT_LT(position.distance(
-                      mesh.mapping().transform_unit_to_real_cell(cell,
-                                                                 reference)),
-                    1e-12);
-          const auto properties = particle.get_properties();
-          EXPECT_EQ(properties[dim], Polynomial<dim>(1, 1).value(position));
-          for (unsigned int d = 0; d < dim; ++d)
-            EXPECT_EQ(properties[d],
-                      Polynomial<dim>(2, dim).value(position, d));
-        }
+      for (unsigned int c = 0; c < mesh.graph().n_owned_cells(); ++c)
+        for (const auto &particle : population.in_cell(c))
+          {
+            const auto cell      = mesh.graph().iterator(c);
+            const auto position  = particle.position();
+            const auto reference = particle.reference();
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                EXPECT_GE(reference[d], 0.);
+                EXPECT_LE(reference[d], 1. + 1e-12);
+              }
+            EXPECT_LT(position.distance(
+                        mesh.mapping().transform_unit_to_real_cell(cell,
+                                                                   reference)),
+                      1e-12);
+            const auto properties = particle.properties();
+            EXPECT_EQ(properties[dim], Polynomial<dim>(1, 1).value(position));
+            for (unsigned int d = 0; d < dim; ++d)
+              EXPECT_EQ(properties[d],
+                        Polynomial<dim>(2, dim).value(position, d));
+          }
     }
 
     Mesh<dim>                          &mesh;
@@ -255,16 +256,12 @@ TYPED_TEST(MeshTransferMpi, LoadedStateIsTheSameBitByBit)
     }
   for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
     {
-      auto particle = arrivals.population.handler()
-                        .particles_in_cell(loaded.graph().iterator(c))
-                        .begin();
-      for (const auto &old :
-           travellers.population.handler().particles_in_cell(graph.iterator(c)))
+      auto particle = arrivals.population.in_cell(c).begin();
+      for (const auto &old : travellers.population.in_cell(c))
         {
-          EXPECT_EQ(old.get_id(), particle->get_id());
-          EXPECT_EQ(old.get_location(), particle->get_location());
-          EXPECT_EQ(old.get_reference_location(),
-                    particle->get_reference_location());
+          EXPECT_EQ(old.id(), particle->id());
+          EXPECT_EQ(old.position(), particle->position());
+          EXPECT_EQ(old.reference(), particle->reference());
           ++particle;
         }
     }

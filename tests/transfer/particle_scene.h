@@ -72,11 +72,11 @@ namespace ParticleScenes
   void
   set_particles(Scene<dim> &scene, const Field &field)
   {
-    for (auto &particle : scene.population->handler())
+    for (auto &particle : scene.population->particles())
       {
-        const auto u = field(particle.get_location());
+        const auto u = field(particle.position());
         for (unsigned int d = 0; d < dim; ++d)
-          particle.get_properties()[d] = u[d];
+          particle.properties()[d] = u[d];
       }
   }
 
@@ -128,12 +128,11 @@ namespace ParticleScenes
     double      sum   = 0;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto &cell = graph.iterator(c);
-        const auto &all  = scene.population->handler();
-        for (const auto &particle : all.particles_in_cell(cell))
+        const auto &all = *scene.population;
+        for (const auto &particle : all.in_cell(c))
           for (unsigned int d = 0; d < dim; ++d)
-            sum += graph.cell(c).measure / all.n_particles_in_cell(cell) *
-                   std::pow(particle.get_properties()[d], 2);
+            sum += graph.cell(c).measure / all.n_in_cell(c) *
+                   std::pow(particle.properties()[d], 2);
       }
     return sum_of_all(sum);
   }

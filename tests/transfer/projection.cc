@@ -30,7 +30,7 @@ namespace
 
   template <int dim>
   std::unique_ptr<Projection<dim>>
-  make(const std::string &name)
+  make_projection(const std::string &name)
   {
     return Registry<Projection<dim>>::entries().at(name).make();
   }
@@ -53,10 +53,10 @@ namespace
   /// Lets @p change(position, properties) set what particles carry.
   template <int dim, typename Change>
   void
-  set_particles(Scene<dim> &scene, const Change &change)
+  set_carried(Scene<dim> &scene, const Change &change)
   {
-    for (auto &particle : scene.population->handler())
-      change(particle.get_location(), particle.get_properties());
+    for (auto &particle : scene.population->particles())
+      change(particle.position(), particle.properties());
   }
 
 
@@ -68,15 +68,14 @@ namespace
     Vector result;
     scene.space->initialize_scalar(result);
     for (unsigned int c = 0; c < scene.mesh.graph().n_owned_cells(); ++c)
-      for (const auto &particle : scene.population->handler().particles_in_cell(
-             scene.mesh.graph().iterator(c)))
+      for (const auto &particle : scene.population->in_cell(c))
         {
-          const auto shape = Q1::values<dim>(particle.get_reference_location());
+          const auto shape = Q1::values<dim>(particle.reference());
           for (unsigned int v = 0; v < shape.size(); ++v)
             result.local_element(scene.space->nodes(c)[v]) +=
               shape[v] * scene.fluids
                            .of_particle(Thalweg::Population<dim>::fluid_of(
-                             particle.get_properties()))
+                             particle.properties()))
                            .density;
         }
     scene.space->fold(result, 1);
@@ -90,13 +89,13 @@ namespace
   momentum(const Scene<dim> &scene)
   {
     dealii::Tensor<1, dim> sum;
-    for (const auto &particle : scene.population->handler())
+    for (const auto &particle : scene.population->particles())
       for (unsigned int d = 0; d < dim; ++d)
         sum[d] += scene.fluids
-                    .of_particle(Thalweg::Population<dim>::fluid_of(
-                      particle.get_properties()))
+                    .of_particle(
+                      Thalweg::Population<dim>::fluid_of(particle.properties()))
                     .density *
-                  particle.get_properties()[d];
+                  particle.properties()[d];
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
 
@@ -120,7 +119,7 @@ namespace
   void
   set_wild(Scene<dim> &scene)
   {
-    set_particles(scene, [](const auto &x, const auto &properties) {
+    set_carried(scene, [](const auto &x, const auto &properties) {
       for (unsigned int d = 0; d < dim; ++d)
         properties[d] = std::sin(90. * x[0] + 70. * x[dim - 1] + d);
       Thalweg::Population<dim>::set_level_set(properties,
@@ -140,7 +139,7 @@ TYPED_TEST(ProjectionMpi, KeepsConstantsWhateverTheDensities)
   for (const std::string name : {"weighted average", "least squares"})
     for (const double sign : {-1., 1.})
       {
-        set_particles(scene, [&](const auto &x, const auto &properties) {
+        set_carried(scene, [&](const auto &x, const auto &properties) {
           for (unsigned int d = 0; d < dim; ++d)
             properties[d] = 1. + d;
           Thalweg::Population<dim>::set_level_set(
@@ -149,7 +148,7 @@ TYPED_TEST(ProjectionMpi, KeepsConstantsWhateverTheDensities)
         Vector velocity =
           scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
         Vector level_set = scene.scalar([](const auto &) { return 0.; });
-        make<dim>(name)->project(
+        make_projection<dim>(name)->project(
           *scene.population, *scene.space, scene.fluids, velocity, level_set);
         scene.for_each_node([&](const unsigned int n, const auto &) {
           for (unsigned int d = 0; d < dim; ++d)
@@ -173,7 +172,7 @@ TYPED_TEST(ProjectionMpi, KeepsTheTotalMomentum)
   Vector velocity =
     scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
   Vector level_set = scene.scalar([](const auto &) { return 0.; });
-  make<dim>("weighted average")
+  make_projection<dim>("weighted average")
     ->project(
       *scene.population, *scene.space, scene.fluids, velocity, level_set);
   const auto exact = momentum(scene);
@@ -198,7 +197,7 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
        parameters,
        dealii::Functions::ZeroFunction<dim>(dim),
        dealii::Functions::ConstantFunction<dim>(1.));
-  set_particles(scene, [](const auto &x, const auto &properties) {
+  set_carried(scene, [](const auto &x, const auto &properties) {
     const bool heavy = std::lround(std::floor(16. * x[0])) % 2 == 0;
     properties[0]    = heavy ? 1. : 0.;
     Thalweg::Population<dim>::set_level_set(properties, heavy ? -1. : 1.);
@@ -206,7 +205,7 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
   Vector velocity =
     scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
   Vector level_set = scene.scalar([](const auto &) { return 0.; });
-  make<dim>("weighted average")
+  make_projection<dim>("weighted average")
     ->project(
       *scene.population, *scene.space, scene.fluids, velocity, level_set);
   scene.for_each_node([&](const unsigned int n, const auto &p) {
@@ -229,7 +228,7 @@ TYPED_TEST(ProjectionMpi, NodesWithoutParticlesKeepTheirValues)
       Vector     velocity =
         scene.velocity([](const auto &p) { return dealii::Tensor<1, dim>(p); });
       Vector level_set = scene.scalar([](const auto &p) { return 2. * p[1]; });
-      make<dim>(name)->project(
+      make_projection<dim>(name)->project(
         *scene.population, *scene.space, scene.fluids, velocity, level_set);
       scene.for_each_node([&](const unsigned int n, const auto &p) {
         EXPECT_EQ((scene.at(velocity, n) - p).norm(), 0.);
@@ -252,13 +251,13 @@ TYPED_TEST(LeastSquaresMpi, AreExactForPlanes)
         return (scene == &bent ? 1.3 * p[0] : 0.) - p[1] + .2 * p[dim - 1];
       };
       fill(*scene);
-      set_particles(*scene, [&](const auto &x, const auto &properties) {
+      set_carried(*scene, [&](const auto &x, const auto &properties) {
         Thalweg::Population<dim>::set_level_set(properties, plane(x));
       });
       Vector velocity =
         scene->velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
       Vector level_set = scene->scalar([](const auto &) { return 0.; });
-      make<dim>("least squares")
+      make_projection<dim>("least squares")
         ->project(*scene->population,
                   *scene->space,
                   scene->fluids,
@@ -277,7 +276,7 @@ TYPED_TEST(IncrementMpi, ParticlesGetTheInterpolatedDifference)
   constexpr int dim = TypeParam::value;
   Scene<dim>    scene(unit_box<dim>(4), Meshes::distort_and_refine<dim>);
   fill(scene);
-  set_particles(scene, [](const auto &x, const auto &properties) {
+  set_carried(scene, [](const auto &x, const auto &properties) {
     properties[0] = 5. * x[1];
     Thalweg::Population<dim>::set_level_set(properties, x[0]);
   });
@@ -290,7 +289,7 @@ TYPED_TEST(IncrementMpi, ParticlesGetTheInterpolatedDifference)
     return u;
   });
   add_increment(*scene.population, *scene.space, new_velocity, old_velocity);
-  set_particles(scene, [](const auto &x, const auto &properties) {
+  set_carried(scene, [](const auto &x, const auto &properties) {
     EXPECT_NEAR(properties[0], 5. * x[1] + 1. + x[0] - 2. * x[dim - 1], 1e-12);
     EXPECT_NEAR(properties[1], -x[1], 1e-12);
     if (dim == 3)

@@ -64,10 +64,10 @@ TYPED_TEST(MovingLeastSquaresMpi, TheLimiterKeepsToTheParticles)
   for (unsigned int d = 0; d < dim; ++d)
     {
       double low = 1e10, high = -1e10;
-      for (const auto &particle : scene->population->handler())
+      for (const auto &particle : scene->population->particles())
         {
-          low  = std::min(low, particle.get_location()[d]);
-          high = std::max(high, particle.get_location()[d]);
+          low  = std::min(low, particle.position()[d]);
+          high = std::max(high, particle.position()[d]);
         }
       least[d]    = -max_of_all(-low);
       greatest[d] = max_of_all(high);
@@ -231,14 +231,14 @@ TYPED_TEST(VelocityIncrementMpi, ParticlesTakeFieldsOfTheSpaceWhereTheyAre)
       set_particles(scene, wild<dim>);
       add_increment(*scene.population, space, end, star, blend);
       add_field(*scene.population, space, star, 10.);
-      for (const auto &particle : scene.population->handler())
+      for (const auto &particle : scene.population->particles())
         {
-          const auto p = particle.get_location();
+          const auto p = particle.position();
           const auto wanted =
             (1. - blend) * (wild(p) + product(p) - linear(p)) +
             blend * product(p) + 10. * linear(p);
           for (unsigned int d = 0; d < dim; ++d)
-            EXPECT_NEAR(particle.get_properties()[d], wanted[d], 1e-12);
+            EXPECT_NEAR(particle.properties()[d], wanted[d], 1e-12);
         }
     }
 }

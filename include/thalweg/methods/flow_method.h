@@ -5,6 +5,7 @@
 #include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/interface_flow.h>
 #include <thalweg/methods/method.h>
+#include <thalweg/particles/particle_host.h>
 #include <thalweg/particles/streamlines.h>
 
 namespace Thalweg
@@ -14,7 +15,9 @@ namespace Thalweg
    * InterfaceFlow, and differ in the fields they add and in how they advance.
    */
   template <int dim>
-  class FlowMethod : public Method<dim>, public Streamlines<dim>
+  class FlowMethod : public Method<dim>,
+                     public Streamlines<dim>,
+                     public ParticleHost<dim>
   {
   public:
     /// @param computes_flow whether the method does, so that given velocities
@@ -61,6 +64,18 @@ namespace Thalweg
 
     StreamlineWalk<dim>
     streamlines() const final;
+
+    unsigned int
+    add_property(const std::string &name) final
+    {
+      return flow->add_property(name);
+    }
+
+    Population<dim> &
+    population() final
+    {
+      return flow->particles();
+    }
 
     void
     initialize() final;

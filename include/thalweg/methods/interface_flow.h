@@ -45,6 +45,17 @@ namespace Thalweg
     void
     build();
 
+    /// Lets particles, drops and bubbles carry one value more, see
+    /// ParticleHost.
+    unsigned int
+    add_property(const std::string &name);
+
+    Population<dim> &
+    particles()
+    {
+      return population;
+    }
+
     /// What there is now; valid until the next build().
     Parts<dim>
     parts();

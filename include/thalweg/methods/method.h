@@ -23,7 +23,7 @@ namespace Thalweg
     Context         &context;
     Mesh<dim>       &mesh;
     BodyForces<dim> &forces;
-    const Ports     &ports; ///< what other methods offer
+    Ports           &ports; ///< what methods offer each other
   };
 
   /**

@@ -95,18 +95,20 @@ namespace Thalweg
 
     /// Settles with the particles before a face what is owed there.
     static void
-    settle(std::vector<typename Population<dim>::Iterator> &nearest_first,
+    settle(std::vector<typename Population<dim>::Particle> &nearest_first,
            FaceAccount                                     &account,
            FluidVolumes                                    &out);
 
     /// Makes particles of what waits at a face, a row as it comes in.
     /// @param passed what of it came in during the step, m^dim
+    /// @param row_length of their properties
     void
     fill_particles(const unsigned int             face,
                    const unsigned int             fluid,
                    const double                   passed,
                    const CellVelocity<dim>       &cell_velocity,
                    const double                   dt,
+                   const unsigned int             row_length,
                    std::vector<NewParticle<dim>> &particles);
 
     const NodeSpace<dim>            &space;

@@ -55,16 +55,18 @@ namespace Thalweg
     end_to_unpack() override;
 
   private:
-    /// Puts a particle that came with @p cell to the cell where it is.
-    void
-    receive(ParticleRecord<dim>    particle,
-            const CellIterator    &cell,
-            const Compat::CellFate fate);
+    /// The owned cell where a particle is that came with @p cell, with its
+    /// place there.
+    unsigned int
+    find_cell(const CellIterator    &cell,
+              const Compat::CellFate fate,
+              ParticlePlace<dim>    &place) const;
 
     Population<dim>        &population;
     PopulationSnapshot<dim> saved;
-    /// The particles of each owned cell that have come.
-    std::vector<std::vector<ParticleRecord<dim>>> received;
+    /// Those that have come, and the owned cell of each.
+    ParticleRows<dim>         received{Population<dim>::n_properties};
+    std::vector<unsigned int> cells;
   };
 } // namespace Thalweg
 

@@ -4,7 +4,6 @@
 
 #include <thalweg/particles/dispersed_field.h>
 #include <thalweg/particles/particle_journeys.h>
-#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/population_control.h>
 
 #include <array>
@@ -91,20 +90,30 @@ namespace Thalweg
     volumes() const;
 
   private:
-    using Iterator = typename Population<dim>::Iterator;
-
     /// Particles of one population that go to the other.
     struct Migration
     {
-      std::vector<Iterator>     particles;
-      std::vector<unsigned int> cells;
+      explicit Migration(const Population<dim> &from)
+        : rows(from.row_length())
+      {}
 
       void
-      add(const Iterator &particle, const unsigned int cell)
+      add(const unsigned int particle, const unsigned int cell)
       {
         particles.push_back(particle);
         cells.push_back(cell);
       }
+
+      void
+      clear()
+      {
+        particles.clear();
+        cells.clear();
+      }
+
+      std::vector<unsigned int> particles; ///< places in the population
+      std::vector<unsigned int> cells;
+      ParticleRows<dim>         rows; ///< when they are taken out
     };
 
     /// Those of the particles of an owned cell that the mesh does not see.
@@ -120,17 +129,11 @@ namespace Thalweg
 
     /// Takes particles out of their population. @param ahead is added to the
     /// time of the velocities of drops, s
-    static std::vector<ParticleRecord<dim>>
+    static void
     take(Population<dim>            &population,
-         const Migration            &migration,
+         Migration                  &migration,
          const DispersedMotion<dim> &motion,
          const double                ahead);
-
-    /// Puts them into the other one.
-    static void
-    give(Population<dim>                        &population,
-         const Migration                        &migration,
-         const std::vector<ParticleRecord<dim>> &records);
 
     Population<dim>   &population;
     const WalkSettings settings;

@@ -4,25 +4,26 @@
 
 #include <thalweg/core/archive.h>
 #include <thalweg/mesh/mesh.h>
-
-#include <deal.II/particles/particle_handler.h>
+#include <thalweg/particles/particle_rows.h>
 
 #include <array>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace Thalweg
 {
   /**
-   * @brief The particles: deal.II's ParticleHandler, and what each of them
-   * carries.
+   * @brief The particles of this rank's cells, and what each of them carries:
+   * flat memory in the order of the owned cells of the CellGraph.
    *
    * Properties of a particle, in this order: its velocity (dim components,
    * m/s), its level set value, negative in the denser fluid (dimension of
    * length, or just a sign, as the chosen interface representation says), the
    * volume of fluid that it carries (m^dim; zero is allowed: such a particle
-   * only marks the fluid), and the number of that fluid. It keeps its fluid,
-   * whatever becomes of the level set. Reference coordinates are always those
-   * in the particle's cell.
+   * only marks the fluid), the number of that fluid, and what was added with
+   * add_property(). It keeps its fluid, whatever becomes of the level set.
+   * Reference coordinates are always those in the particle's cell.
    */
   template <int dim>
   class Population
@@ -32,12 +33,39 @@ namespace Thalweg
     static constexpr unsigned int level_set_offset = dim;
     static constexpr unsigned int volume_offset    = dim + 1;
     static constexpr unsigned int fluid_offset     = dim + 2;
-    static constexpr unsigned int n_properties     = dim + 3;
+    /// Those that every particle has.
+    static constexpr unsigned int n_properties = dim + 3;
+    /// What new particles have of added properties, until they are given some.
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-    using Handler  = dealii::Particles::ParticleHandler<dim>;
-    using Iterator = typename Handler::particle_iterator;
+    using Particle      = ParticleReference<dim, false>;
+    using ConstParticle = ParticleReference<dim, true>;
+    using Range         = ParticleRange<dim, false>;
+    using ConstRange    = ParticleRange<dim, true>;
 
     explicit Population(const Mesh<dim> &mesh);
+
+    /**
+     * @brief Lets particles carry one value more, before there are any.
+     * @return its place in the row of a particle's properties
+     * @throws dealii::ExcMessage if there is one of that name
+     */
+    unsigned int
+    add_property(const std::string &name);
+
+    /// The names of those that were added.
+    const std::vector<std::string> &
+    added_properties() const
+    {
+      return names;
+    }
+
+    /// All that a particle of this population has.
+    unsigned int
+    row_length() const
+    {
+      return rows.n_properties();
+    }
 
     /// The number of the fluid that a particle belongs to.
     template <typename Properties>
@@ -66,46 +94,123 @@ namespace Thalweg
       properties[fluid_offset]     = value < 0 ? 0. : 1.;
     }
 
-    Handler &
-    handler()
-    {
-      return particle_handler;
-    }
-
-    const Handler &
-    handler() const
-    {
-      return particle_handler;
-    }
-
     const Mesh<dim> &
     mesh() const
     {
       return mesh_;
     }
 
+    /// All of this rank, in the order of its cells.
+    Range
+    particles()
+    {
+      return rows.range(0, rows.size());
+    }
+
+    ConstRange
+    particles() const
+    {
+      return rows.range(0, rows.size());
+    }
+
+    /// Those in an owned cell of the graph.
+    Range
+    in_cell(const unsigned int cell)
+    {
+      return rows.range(first_in(cell), first_in(cell + 1));
+    }
+
+    ConstRange
+    in_cell(const unsigned int cell) const
+    {
+      return rows.range(first_in(cell), first_in(cell + 1));
+    }
+
+    unsigned int
+    n_in_cell(const unsigned int cell) const
+    {
+      return first_in(cell + 1) - first_in(cell);
+    }
+
+    /// Those of this rank in their order.
+    const ParticleRows<dim> &
+    all() const
+    {
+      return rows;
+    }
+
+    /// Where those of each owned cell begin in all(), and the end; empty if
+    /// there have never been any.
+    const std::vector<unsigned int> &
+    beginnings() const
+    {
+      return begin;
+    }
+
+    /// Removes all.
+    void
+    clear();
+
+    /**
+     * @brief Makes @p new_rows all that there are.
+     * @param beginnings where those of each owned cell begin, and the end
+     */
+    void
+    exchange(ParticleRows<dim>         &&new_rows,
+             std::vector<unsigned int> &&beginnings);
+
+    /// Empty rows to be filled for exchange(), in the memory of those that
+    /// were exchanged last.
+    ParticleRows<dim>
+    take_spare();
+
+    /// The same in any order, with the cell of each.
+    void
+    replace(const ParticleRows<dim>         &new_rows,
+            const std::vector<unsigned int> &cells);
+
+    /**
+     * @brief Adds particles behind those that are in their cells.
+     * @param new_rows in any order
+     * @param cells of each of them, owned ones of the graph
+     */
+    void
+    insert(const ParticleRows<dim>         &new_rows,
+           const std::vector<unsigned int> &cells);
+
+    /// Removes some, given by their places in all(); each place is taken by
+    /// the last in the cell.
+    void
+    remove(std::vector<unsigned int> places);
+
     /**
      * @brief The next free particle id of this rank.
      *
      * Ids are unique over all ranks and do not depend on what other ranks
      * do: each rank has every n-th number for itself.
-     * @throws dealii::ExcMessage when the ids are exhausted
      */
-    dealii::types::particle_index
+    ParticleId
     next_id();
 
     /// From now on next_id() uses numbers from @p first_free on; to be called
     /// with the same number on all ranks, when particles with other ids were
     /// inserted.
     void
-    reserve_ids_below(const dealii::types::particle_index first_free);
+    reserve_ids_below(const ParticleId first_free);
 
     /// Names which ids were given so far. Collective.
     void
     keep(const Archive &archive);
 
+    /// On this rank.
+    std::size_t
+    n_particles() const
+    {
+      return rows.size();
+    }
+
     /// The number of particles on all ranks. Collective.
-    dealii::types::particle_index
+    std::uint64_t
     n_global_particles() const;
 
     /// What the particles of each owned cell of the graph carry of both
@@ -114,10 +219,18 @@ namespace Thalweg
     volumes_of_cells() const;
 
   private:
-    const Mesh<dim>              &mesh_;
-    Handler                       particle_handler;
-    dealii::types::particle_index first_id  = 0;
-    dealii::types::particle_index n_created = 0;
+    unsigned int
+    first_in(const unsigned int cell) const
+    {
+      return cell < begin.size() ? begin[cell] : rows.size();
+    }
+
+    const Mesh<dim>          &mesh_;
+    std::vector<std::string>  names;
+    ParticleRows<dim>         rows, spare;
+    std::vector<unsigned int> begin;
+    ParticleId                first_id  = 0;
+    ParticleId                n_created = 0;
   };
 } // namespace Thalweg
 

@@ -2,10 +2,7 @@
 #ifndef thalweg_particles_population_snapshot_h
 #define thalweg_particles_population_snapshot_h
 
-#include <thalweg/particles/particle_storage.h>
 #include <thalweg/particles/population.h>
-
-#include <deal.II/base/array_view.h>
 
 #include <vector>
 
@@ -27,10 +24,9 @@ namespace Thalweg
 
     /**
      * @brief Makes the population what it was at the last save(): ids,
-     * positions, properties and the order in each cell. Collective.
+     * positions, properties and the order in each cell.
      *
-     * Iterators to particles are invalid afterwards. Ids that were given in
-     * the meantime are not given again.
+     * Ids that were given in the meantime are not given again.
      *
      * @param population the one that was saved; its mesh must not have
      *   changed since then
@@ -39,15 +35,20 @@ namespace Thalweg
     restore(Population<dim> &population) const;
 
     /// The particles that were in the owned cell @p cell.
-    dealii::ArrayView<const ParticleRecord<dim>>
+    typename Population<dim>::ConstRange
     in_cell(const unsigned int cell) const
     {
-      return {particles.data() + begin_of_cell[cell],
-              begin_of_cell[cell + 1] - begin_of_cell[cell]};
+      return rows.range(begin_of_cell[cell], begin_of_cell[cell + 1]);
+    }
+
+    unsigned int
+    n_in_cell(const unsigned int cell) const
+    {
+      return begin_of_cell[cell + 1] - begin_of_cell[cell];
     }
 
   private:
-    std::vector<ParticleRecord<dim>> particles;
+    ParticleRows<dim> rows{Population<dim>::n_properties};
     /// The number of the first particle of each owned cell, and of all.
     std::vector<unsigned int> begin_of_cell;
   };

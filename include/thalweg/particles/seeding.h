@@ -39,8 +39,8 @@ namespace Thalweg
    *   in it share; those of fluid 1 share the rest. A fluid that none of the
    *   regular particles of the cell stands in gets another one. Without this
    *   function particles carry no volume.
-   * @throws dealii::ExcMessage if there are more particles than indices, or
-   *   if the functions have the wrong number of components
+   * @throws dealii::ExcMessage if the functions have the wrong number of
+   * components
    */
   template <int dim>
   void

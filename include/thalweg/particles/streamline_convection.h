@@ -32,8 +32,7 @@ namespace Thalweg
   /// One of the particles that were lost.
   struct LostParticle
   {
-    dealii::types::particle_index id =
-      std::numeric_limits<dealii::types::particle_index>::max();
+    ParticleId id = std::numeric_limits<ParticleId>::max();
     /// The centre of the cell in which it was when its way became undefined,
     /// in m; in two dimensions the last coordinate is zero.
     std::array<double, 3> place{};
@@ -104,10 +103,10 @@ namespace Thalweg
   template <int dim>
   struct NewParticle
   {
-    unsigned int       cell; ///< an owned one of the graph
-    dealii::Point<dim> reference;
-    double             time; ///< how long it goes on from there, s
-    std::array<double, Population<dim>::n_properties> properties;
+    unsigned int        cell; ///< an owned one of the graph
+    dealii::Point<dim>  reference;
+    double              time;       ///< how long it goes on from there, s
+    std::vector<double> properties; ///< a row of the population's
   };
 
   /**
@@ -136,7 +135,7 @@ namespace Thalweg
      * @brief Moves all particles by the time @p dt. Collective.
      *
      * Afterwards the particles of each cell are ordered by id, whatever their
-     * order was before; iterators to particles are invalid.
+     * order was before.
      * Velocity and level set of the particles stay as they are.
      *
      * @param population each particle's reference coordinates must be those

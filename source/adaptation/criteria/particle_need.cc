@@ -42,7 +42,6 @@ namespace Thalweg
                         const double,
                         CellWishes &wishes) override
       {
-        const auto &particles = solution.population.handler();
         // Before the particles are there, nothing follows from their absence.
         if (solution.population.n_global_particles() == 0)
           return;
@@ -52,9 +51,9 @@ namespace Thalweg
             const auto             &cell = graph.iterator(c);
             std::bitset<(1 << dim)> filled;
             unsigned int            n = 0;
-            for (const auto &particle : particles.particles_in_cell(cell))
+            for (const auto &particle : solution.population.in_cell(c))
               {
-                const auto   xi       = particle.get_reference_location();
+                const auto   xi       = particle.reference();
                 unsigned int sub_cell = 0;
                 for (unsigned int d = 0; d < dim; ++d)
                   sub_cell += (xi[d] < .5 ? 0u : 1u) << d;

@@ -32,7 +32,9 @@ namespace Thalweg
   /// One of the particles that were lost.
   struct LostParticle
   {
-    ParticleId id = std::numeric_limits<ParticleId>::max();
+    /// Above all others if there is none; Open MPI's minimum of unsigned
+    /// numbers takes what is still greater for negative.
+    ParticleId id = std::numeric_limits<std::int64_t>::max();
     /// The centre of the cell in which it was when its way became undefined,
     /// in m; in two dimensions the last coordinate is zero.
     std::array<double, 3> place{};

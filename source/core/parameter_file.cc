@@ -21,6 +21,24 @@ namespace Thalweg
     constexpr std::size_t most_suggestions = 30;
 
 
+    /// Where a section stands for a name that is missing in a list: what to
+    /// write; else nothing.
+    std::string
+    unlisted(const std::string &section, const Declared &declared)
+    {
+      const std::string outer = parent_of(section);
+      if (declared.has_section(section))
+        return "";
+      if (!outer.empty() && !declared.has_section(outer))
+        return unlisted(outer, declared);
+      const std::string list = outer + "/Names";
+      if (declared.parameter(list) == nullptr)
+        return "";
+      return "; '" + excerpt(leaf_of(section)) + "' is not in '" + list +
+             "': add it there, or leave out its section";
+    }
+
+
     /// What is wrong with the section names in @p lines. The contents of an
     /// unknown section are not looked at: one fault is enough.
     std::vector<std::string>
@@ -42,6 +60,9 @@ namespace Thalweg
             fault += "; is an 'end' missing before it? '" +
                      leaf_of(section.path) + "' exists outside of '" + parent +
                      "'";
+          else if (const std::string text = unlisted(section.path, declared);
+                   !text.empty())
+            fault += text;
           else if (faults.size() < most_suggestions)
             fault += did_you_mean(declared.nearest_section(section.path));
           faults.push_back(fault);
@@ -63,6 +84,9 @@ namespace Thalweg
       if (declared.has_section(entry.path))
         return fault + "; it is a section, write 'subsection " +
                leaf_of(entry.path) + "'";
+      if (const std::string text = unlisted(parent_of(entry.path), declared);
+          !text.empty())
+        return fault + text;
       return fault + did_you_mean(declared.nearest_parameter(entry.path));
     }
 

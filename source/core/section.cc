@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/parameter_file.h>
 #include <thalweg/core/section.h>
 
 namespace Thalweg
@@ -9,10 +10,28 @@ namespace Thalweg
 
 
   Section
+  Section::with(const ParameterFile &file) const
+  {
+    Section same(*this);
+    same.input = &file;
+    return same;
+  }
+
+
+  std::string
+  Section::given(const std::string &name, const std::string &otherwise) const
+  {
+    std::string full;
+    for (const std::string &section : path)
+      full += section + "/";
+    return input == nullptr ? otherwise : input->value(full + name, otherwise);
+  }
+
+
+  Section
   Section::enter(const std::string &name) const
   {
-    Section subsection(*prm);
-    subsection.path = path;
+    Section subsection(*this);
     subsection.path.push_back(name);
     subsection.enter_path();
     subsection.leave_path();

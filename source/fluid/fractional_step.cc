@@ -54,13 +54,15 @@ namespace Thalweg
                                   const NodeSpace<dim>     &space_,
                                   const BoundaryNodes<dim> &boundary_,
                                   const PhaseField<dim>    &phase_,
-                                  const BodyForces<dim>    &forces_)
+                                  const BodyForces<dim>    &forces_,
+                                  const FlowTerms<dim>     &terms_)
   {
     context  = &context_;
     space    = &space_;
     boundary = &boundary_;
     phase    = &phase_;
     forces   = &forces_;
+    terms    = &terms_;
     mass     = std::make_unique<NodalMass<dim>>(*space, *boundary, *phase);
     budget   = std::make_unique<KineticBudget<dim>>(*context, *mass);
     pressure_system =
@@ -77,6 +79,20 @@ namespace Thalweg
     space->initialize_velocity(before_friction);
     space->initialize_velocity(deflected);
     space->initialize_velocity(v);
+  }
+
+
+
+  template <int dim>
+  void
+  FractionalStep<dim>::add_terms()
+  {
+    if (!terms->has_acceleration())
+      return;
+    force.zero_out_ghost_values();
+    force = 0.;
+    terms->add_acceleration(force);
+    pressure_system->add_acceleration(1., force);
   }
 
 
@@ -342,6 +358,7 @@ namespace Thalweg
       dealii::TimerOutput::Scope scope(context->timers, "assembly");
       mass->update();
       pressure_system->assemble();
+      add_terms();
     }
     change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);

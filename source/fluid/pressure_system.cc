@@ -37,7 +37,10 @@ namespace Thalweg
   void
   PressureSystem<dim>::find_acceleration()
   {
-    if (!forces.has_field())
+    if (has_field && !forces.has_field())
+      field = 0.;
+    has_field = forces.has_field();
+    if (!has_field)
       return;
     for_each_owned_node<dim>(space,
                              [&](const unsigned int        node,
@@ -79,7 +82,7 @@ namespace Thalweg
     const auto          f         = forces.has_density()
                                       ? forces.density(Q1::center<dim>(geometry))
                                       : dealii::Tensor<1, dim>();
-    if (forces.has_field())
+    if (has_field)
       {
         auto a = gather_velocity<dim>(field, space.nodes(cell));
         for (unsigned int d = 0; d < dim; ++d)

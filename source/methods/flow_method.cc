@@ -78,6 +78,9 @@ namespace Thalweg
                        parameters.fluids,
                        outline.fills_domain,
                        parameters.has_spray()});
+    outline.offered.add(name, "streamlines");
+    if (parameters.computes_flow)
+      outline.offered.add(name, FlowTerms<dim>::port);
   }
 
 
@@ -131,6 +134,8 @@ namespace Thalweg
   FlowMethod<dim>::offer(Ports &ports) const
   {
     ports.offer<const Streamlines<dim>>(name, "streamlines", *this);
+    if (parameters.computes_flow)
+      ports.offer<FlowTerms<dim>>(name, FlowTerms<dim>::port, parts->terms);
   }
 
 

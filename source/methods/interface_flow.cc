@@ -213,8 +213,9 @@ namespace Thalweg
       parameters.seeding.particles_per_direction);
     if (parameters.fluids.size() == 2)
       phase->carry([this]() { return volumes_to_show(); }, *boundary);
+    terms.attach(*space);
     parameters.fluid_solver->initialize(
-      context, *space, *boundary, *phase, forces);
+      context, *space, *boundary, *phase, forces, terms);
   }
 
 
@@ -238,6 +239,7 @@ namespace Thalweg
             *space,
             parameters.fluids,
             forces,
+            terms,
             conditions,
             *boundary,
             population,

@@ -281,6 +281,7 @@ namespace Thalweg
   {
     parts->conditions.set_time(time);
     parts->forces.set_time(time_of_forces(duration, time));
+    parts->terms.set_time(time_of_forces(duration, time));
     acceleration_time = duration;
     old_flow_time     = flow_time;
     flow_time         = time;
@@ -302,6 +303,7 @@ namespace Thalweg
            space,
            fluids,
            forces,
+           terms,
            conditions,
            boundary,
            population,

@@ -103,6 +103,7 @@ namespace Thalweg
                                                   flow_parameters,
                                                   parts->fluids[0],
                                                   parts->forces,
+                                                  parts->terms,
                                                   parts->conditions);
     for (Vector *vector :
          {&begin_acceleration, &end_acceleration, &velocity_star})
@@ -248,6 +249,7 @@ namespace Thalweg
   {
     auto &timers = parts->context.timers;
     parts->forces.set_time(time + .5 * dt);
+    parts->terms.set_time(time + .5 * dt);
     for (const char *column : {"pressure iterations", "viscous iterations"})
       parts->context.statistics.set(column, 0);
     begin_velocity.copy_locally_owned_data_from(parts->flow.velocity());

@@ -33,9 +33,15 @@ namespace Thalweg
       check(std::vector<std::string> &faults) const override;
 
       void
-      publish(const std::string &, RunOutline<dim> &outline) const override
+      publish(const std::string &name, RunOutline<dim> &outline) const override
       {
-        outline.offered.insert("tracers");
+        outline.offered.add(name, "tracers");
+      }
+
+      std::vector<Need>
+      needs() const override
+      {
+        return {{flow, "streamlines"}};
       }
 
       void

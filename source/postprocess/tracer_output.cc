@@ -19,7 +19,7 @@ namespace Thalweg
     void
     check_tracers(const RunOutline<dim> &outline, const std::string &model)
     {
-      AssertThrow(outline.offered.count("tracers") > 0,
+      AssertThrow(outline.offered.has("", "tracers"),
                   dealii::ExcMessage(
                     "No method of this run has tracers. Take '" + model +
                     "' out of 'Postprocess/Models', or add a method to "

@@ -18,13 +18,13 @@ namespace Thalweg
     SimulationParameters<dim>                &parameters,
     Context                                  &context,
     Mesh<dim>                                &mesh,
-    MethodList<dim>                          &methods,
     const std::vector<Postprocessor<dim> *>  &postprocessors,
     const std::function<SolutionView<dim>()> &view)
     : parameters(parameters)
     , context(context)
     , mesh(mesh)
-    , methods(methods)
+    , methods(parameters.methods)
+    , couplings(parameters.couplings)
     , postprocessors(postprocessors)
     , view(view)
     , memory(parameters.memory(context.communicator))
@@ -82,6 +82,7 @@ namespace Thalweg
   MeshAdaptation<dim>::keep(const State<dim> &state)
   {
     methods.keep(state);
+    couplings.keep(state);
     const State<dim> means = state.with(Archive::nowhere());
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->keep(means);
@@ -104,12 +105,14 @@ namespace Thalweg
     change();
     mesh.update();
     methods.attach();
+    couplings.attach();
     for (Postprocessor<dim> *postprocessor : postprocessors)
       postprocessor->mesh_changed(view());
     const State<dim> state(values.reader());
     keep(state);
     transfer.unpack(state);
     methods.update();
+    couplings.update();
   }
 
 

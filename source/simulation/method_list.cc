@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
 #include <thalweg/simulation/method_list.h>
 
 #include <utility>
@@ -33,6 +34,18 @@ namespace Thalweg
     if (entries.empty())
       entries.push_back({"", &*single});
     return entries;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  MethodList<dim>::names_of_used() const
+  {
+    std::vector<std::string> all;
+    for (const Entry &entry : used())
+      all.push_back(entry.name);
+    return all;
   }
 
 
@@ -109,6 +122,23 @@ namespace Thalweg
         entry.method->check_on_mesh(coarse, own);
         append(own, entry.prefix(), faults);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  MethodList<dim>::check_needs(const Offers             &offers,
+                               std::vector<std::string> &faults) const
+  {
+    for (const Entry &entry : used())
+      for (const Need &need : entry.method->needs())
+        collect_fault(faults, [&]() {
+          offers.check(need,
+                       entry.name.empty()
+                         ? "'Method/Model = " + single.model_name() + "'"
+                         : "'Methods/" + entry.name + "'");
+        });
   }
 
 

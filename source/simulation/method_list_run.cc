@@ -142,21 +142,6 @@ namespace Thalweg
 
   template <int dim>
   void
-  MethodList<dim>::advance(const double time, const double dt)
-  {
-    for (const Entry &entry : used())
-      {
-        const Statistics::Group group(context->statistics, entry.name);
-        const unsigned int      n = entry.method->n_sub_steps(dt);
-        for (unsigned int k = 0; k < n; ++k)
-          entry.method->advance(time + k * (dt / n), dt / n);
-      }
-  }
-
-
-
-  template <int dim>
-  void
   MethodList<dim>::record(const double time)
   {
     for (const Entry &entry : used())
@@ -193,7 +178,6 @@ namespace Thalweg
   template void MethodList<dim>::check_conditions(const double) const;         \
   template void MethodList<dim>::check_conditions_of_step(const double) const; \
   template StepNumbers MethodList<dim>::step_numbers() const;                  \
-  template void        MethodList<dim>::advance(const double, const double);   \
   template void        MethodList<dim>::record(const double);                  \
   template void        MethodList<dim>::warn_at_start() const;
   THALWEG_INSTANTIATE_RUN(2)

@@ -42,6 +42,8 @@ namespace Thalweg
       has_forces = true;
     });
     methods.check(faults);
+    couplings.check(methods.names_of_used(), faults);
+    scheme.check(faults);
     collect([this]() { balance.check(); });
     collect([this]() { mesh.partition->check(); });
     collect([this]() { check_change(); });
@@ -130,6 +132,8 @@ namespace Thalweg
     methods.check_on_mesh(coarse, faults);
     const RunOutline<dim> outline =
       methods.outline(coarse, has_flat_cells(coarse));
+    methods.check_needs(outline.offered, faults);
+    couplings.check_needs(methods.names_of_used(), outline.offered, faults);
     collect_fault(faults, [&]() { adaptive.check(outline); });
     for (std::size_t i = 0; i < postprocessors.chosen().size(); ++i)
       {

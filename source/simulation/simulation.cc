@@ -15,6 +15,7 @@ namespace Thalweg
                               const Settings            &settings)
     : parameters(parameters)
     , methods(parameters.methods)
+    , couplings(parameters.couplings)
     , context(context)
     , settings(settings)
     , checkpoints(context)
@@ -29,6 +30,7 @@ namespace Thalweg
   Simulation<dim>::~Simulation()
   {
     // Methods belong to the parameters, and the mesh goes before these.
+    couplings.release();
     methods.release();
   }
 
@@ -39,9 +41,7 @@ namespace Thalweg
   Simulation<dim>::make_adaptation()
   {
     adaptation = std::make_unique<MeshAdaptation<dim>>(
-      parameters, context, mesh, methods, postprocessors, [this]() {
-        return view();
-      });
+      parameters, context, mesh, postprocessors, [this]() { return view(); });
   }
 
 
@@ -52,6 +52,7 @@ namespace Thalweg
   {
     parameters.forces.initialize(parameters.time.end_time());
     methods.create(context, mesh, parameters.forces);
+    couplings.create(context, mesh, parameters.forces, methods.offers());
   }
 
 
@@ -66,6 +67,7 @@ namespace Thalweg
     make_adaptation();
     methods.initialize();
     adaptation->adapt_to_initial_state();
+    couplings.initialize();
   }
 
 
@@ -99,7 +101,7 @@ namespace Thalweg
   void
   Simulation<dim>::choose_step()
   {
-    numbers = methods.step_numbers();
+    numbers = parameters.scheme.step_numbers();
     plan    = parameters.time.next_step(time, numbers, wanted_dt, last_dt);
     dt      = plan.size;
     check_courant_number();
@@ -112,8 +114,8 @@ namespace Thalweg
   Simulation<dim>::begin(const CheckpointOutline &checkpoint)
   {
     std::vector<std::string> columns{"step", "time [s]", "dt [s]"};
-    for (const std::string &column : methods.columns())
-      columns.push_back(column);
+    for (const auto &all : {methods.columns(), couplings.columns()})
+      columns.insert(columns.end(), all.begin(), all.end());
     context.statistics.declare(columns);
     if (!context.output_directory.empty())
       on_root(context.communicator, [&]() {
@@ -155,6 +157,8 @@ namespace Thalweg
       statistics.set(number.title(), number.rate * dt);
     statistics.set("cells", mesh.triangulation().n_global_active_cells());
     methods.record(time);
+    couplings.record(time);
+    parameters.scheme.record(statistics);
     record_frame(parameters.forces.frame(), time, statistics);
     adaptation->record();
     for (const auto &[name, seconds] :

@@ -118,6 +118,7 @@ namespace Thalweg
     context.statistics.keep(values.enter("statistics"), context.log);
     adaptation->keep(values.enter("adaptation"));
     methods.keep(state);
+    couplings.keep(state);
     for (unsigned int i = 0; i < postprocessors.size(); ++i)
       {
         const std::string name =
@@ -228,6 +229,7 @@ namespace Thalweg
       methods.keep_constants(values.enter("constants"));
     });
     methods.attach();
+    couplings.attach();
     return values;
   }
 
@@ -268,6 +270,7 @@ namespace Thalweg
     });
     with_name_of(checkpoint, [&]() { transfer.unpack_saved(state, cells); });
     methods.update();
+    couplings.update();
     with_name_of(checkpoint, [&]() {
       on_all(context.communicator, [&]() { check_finite(view()); });
     });

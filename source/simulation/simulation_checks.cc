@@ -16,7 +16,8 @@ namespace Thalweg
     context.log.line(
       std::to_string(mesh.triangulation().n_global_active_cells()) +
       " cells, " + methods.size());
-    const std::string warning = parameters.time.warning(methods.step_numbers());
+    const std::string warning =
+      parameters.time.warning(parameters.scheme.step_numbers());
     if (!warning.empty())
       context.log.warning(warning);
     if (!context.resumed)

@@ -5,9 +5,10 @@ namespace Thalweg
 {
   template <int dim>
   void
-  SimulationParameters<dim>::declare(const Section       &root,
+  SimulationParameters<dim>::declare(const Section       &top,
                                      const ParameterFile &input)
   {
+    const Section root = top.with(input);
     methods.declare_choice(root, input);
     mesh.declare(root);
     adaptive.declare_parameters(root);
@@ -16,6 +17,8 @@ namespace Thalweg
     checkpoint.declare_parameters(root);
     forces.declare_parameters(root);
     methods.declare_sections(root);
+    couplings.declare(root, input);
+    scheme.declare_parameters(root);
     postprocessors.declare_parameters(root.enter("Postprocess"),
                                       "postprocessors");
   }

@@ -58,10 +58,38 @@ namespace Thalweg
 
   template <int dim>
   void
-  Simulation<dim>::undo_step(const Archive &row)
+  Simulation<dim>::begin_row()
+  {
+    // For warnings during the step.
+    context.statistics.set("step", step + 1);
+    context.statistics.set("time [s]", time);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::repeat_step(const Archive &row)
   {
     before_step.restore([&](const State<dim> &state) { methods.keep(state); });
     methods.update();
+    // What the last pass counted is not of the next one.
+    context.statistics.keep(row.reader(), context.log);
+    begin_row();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::undo_step(const Archive &row)
+  {
+    before_step.restore([&](const State<dim> &state) {
+      methods.keep(state);
+      couplings.keep(state);
+    });
+    methods.update();
+    couplings.update();
     // What the failed attempt counted is not of the step.
     context.statistics.keep(row.reader(), context.log);
   }
@@ -84,16 +112,19 @@ namespace Thalweg
         stop_for(faults);
         stop_before_step(message_of(failure));
       }
-    before_step.save([&](const State<dim> &state) { methods.keep(state); });
+    before_step.save([&](const State<dim> &state) {
+      methods.keep(state);
+      couplings.keep(state);
+    });
     const Archive row;
     context.statistics.keep(row, context.log);
     for (unsigned int n_halvings = 0;; ++n_halvings)
       try
         {
-          // For warnings during the step.
-          context.statistics.set("step", step + 1);
-          context.statistics.set("time [s]", time);
-          methods.advance(time, dt);
+          begin_row();
+          parameters.scheme.advance(time, dt, context.statistics, [&]() {
+            repeat_step(row);
+          });
           break;
         }
       catch (const StepFailure &failure)

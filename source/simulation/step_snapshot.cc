@@ -26,7 +26,7 @@ namespace Thalweg
   {
     const State<dim> state(values.reader());
     keep(state);
-    for (unsigned int i = 0; i < fields.size(); ++i)
+    for (unsigned int i = 0; i < state.fields().size(); ++i)
       {
         const auto &field = state.fields()[i];
         field.vector->zero_out_ghost_values();

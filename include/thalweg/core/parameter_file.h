@@ -43,6 +43,14 @@ namespace Thalweg
     std::string
     value(const std::string &path, const std::string &otherwise) const;
 
+    /// Whether nothing was given at all.
+    bool
+    is_empty() const
+    {
+      return lines.entries.empty() && lines.sections.empty() &&
+             lines.faults.empty() && overrides.empty();
+    }
+
     /**
      * @brief Sets all parameters in @p prm, and so the variables that belong
      * to them, as far as nothing is wrong with them.

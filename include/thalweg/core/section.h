@@ -12,6 +12,8 @@
 
 namespace Thalweg
 {
+  class ParameterFile;
+
   /**
    * @brief One section of the input file, while its parameters are declared.
    *
@@ -25,6 +27,16 @@ namespace Thalweg
   public:
     /// The root of @p prm, which must outlive this object.
     explicit Section(dealii::ParameterHandler &prm);
+
+    /// The same section, which knows what the user wrote. @param file must
+    /// outlive the sections that are made out of it
+    Section
+    with(const ParameterFile &file) const;
+
+    /// What the user gives the parameter @p name of this section, before that
+    /// is declared: for lists of names that decide which sections there are.
+    std::string
+    given(const std::string &name, const std::string &otherwise) const;
 
     /// The subsection @p name. It exists from now on, even if nothing is
     /// declared in it.
@@ -81,6 +93,7 @@ namespace Thalweg
     leave_path() const;
 
     dealii::ParameterHandler *prm;
+    const ParameterFile      *input = nullptr;
     std::vector<std::string>  path; ///< from the root to this section
   };
 } // namespace Thalweg

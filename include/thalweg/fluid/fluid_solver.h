@@ -6,6 +6,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/state.h>
 #include <thalweg/fluid/body_forces.h>
+#include <thalweg/fluid/flow_terms.h>
 #include <thalweg/interface/phase_field.h>
 
 namespace Thalweg
@@ -30,7 +31,8 @@ namespace Thalweg
                const NodeSpace<dim>     &space,
                const BoundaryNodes<dim> &boundary,
                const PhaseField<dim>    &phase,
-               const BodyForces<dim>    &forces) = 0;
+               const BodyForces<dim>    &forces,
+               const FlowTerms<dim>     &terms) = 0;
 
     /**
      * @brief From the convected velocity to that at the end of the step.

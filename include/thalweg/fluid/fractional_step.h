@@ -33,7 +33,8 @@ namespace Thalweg
                const NodeSpace<dim>     &space,
                const BoundaryNodes<dim> &boundary,
                const PhaseField<dim>    &phase,
-               const BodyForces<dim>    &forces) override;
+               const BodyForces<dim>    &forces,
+               const FlowTerms<dim>     &terms) override;
 
     void
     solve(const Vector &velocity_star,
@@ -66,6 +67,10 @@ namespace Thalweg
     accelerate(const EnrichedPressure &pressure,
                const bool              with_forces,
                const double            duration);
+
+    /// What acts besides the body forces.
+    void
+    add_terms();
 
     /// Adds int N_i f of the force density to @ref force.
     void
@@ -131,6 +136,7 @@ namespace Thalweg
     const BoundaryNodes<dim>             *boundary = nullptr;
     const PhaseField<dim>                *phase    = nullptr;
     const BodyForces<dim>                *forces   = nullptr;
+    const FlowTerms<dim>                 *terms    = nullptr;
     Q1Integrals<dim>                      integrals;
     std::unique_ptr<NodalMass<dim>>       mass;
     std::unique_ptr<PressureSystem<dim>>  pressure_system;

@@ -56,19 +56,20 @@ namespace Thalweg
     void
     assemble();
 
-    /// What BodyForces::field() says at the nodes, m/s^2, ghosted; zero if
-    /// there is none.
+    /// What BodyForces::field() says at the nodes, and what was added since
+    /// assemble(), m/s^2, ghosted; zero if there is none.
     const Vector &
     acceleration() const
     {
       return field;
     }
 
-    /// Adds @p factor times a nodal acceleration to what the next solve with
-    /// forces balances. @param other ghosted and consistent, m/s^2
+    /// Adds @p factor times a nodal acceleration to what solves with forces
+    /// balance, until assemble(). @param other m/s^2
     void
     add_acceleration(const double factor, const Vector &other)
     {
+      has_field = true;
       field.zero_out_ghost_values();
       field.add(factor, other);
       space.interpolate(field, dim);
@@ -200,12 +201,14 @@ namespace Thalweg
     std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;
     CellMatrices<(1 << dim)>                                cell_matrices;
     AmgPreconditioner                                       amg;
-    bool                                                    singular;
-    std::unique_ptr<EnrichedMatrix<dim>>                    enriched;
-    double                                                  reference_norm = 0;
-    EnrichedPressure                                        residual;
-    EnrichedPressure                                        increment;
-    Vector                                                  field;
+    /// Whether there is an acceleration besides the uniform one.
+    bool                                 has_field = false;
+    bool                                 singular;
+    std::unique_ptr<EnrichedMatrix<dim>> enriched;
+    double                               reference_norm = 0;
+    EnrichedPressure                     residual;
+    EnrichedPressure                     increment;
+    Vector                               field;
   };
 } // namespace Thalweg
 

@@ -5,6 +5,7 @@
 #include <thalweg/fields/flow_fields.h>
 #include <thalweg/fields/state.h>
 #include <thalweg/fluid/boundary_reaction.h>
+#include <thalweg/fluid/flow_terms.h>
 #include <thalweg/fluid/incremental_step.h>
 #include <thalweg/fluid/single_fluid_flow_parameters.h>
 
@@ -33,6 +34,7 @@ namespace Thalweg
                     const SingleFluidFlowParameters<dim> &parameters,
                     const Fluid                          &fluid,
                     const BodyForces<dim>                &forces,
+                    const FlowTerms<dim>                 &terms,
                     BoundaryConditions<dim>              &conditions);
 
     /// Sets the velocity at the start.
@@ -211,6 +213,7 @@ namespace Thalweg
     const SingleFluidFlowParameters<dim>       &parameters;
     const Fluid                                 fluid;
     const BodyForces<dim>                      &forces;
+    const FlowTerms<dim>                       &terms;
     BoundaryConditions<dim>                    &conditions;
     const bool                                  second_order;
     std::unique_ptr<dealii::MappingQCache<dim>> mapping;

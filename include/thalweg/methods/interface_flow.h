@@ -142,6 +142,7 @@ namespace Thalweg
     Context                                   &context;
     Mesh<dim>                                 &mesh;
     BodyForces<dim>                           &forces;
+    FlowTerms<dim>                             terms;
     BoundaryConditions<dim>                    conditions;
     Population<dim>                            population;
     Population<dim>                            dispersed_;

@@ -2,12 +2,11 @@
 #ifndef thalweg_methods_method_h
 #define thalweg_methods_method_h
 
-#include <thalweg/core/context.h>
-#include <thalweg/core/ports.h>
+#include <thalweg/core/offers.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/core/step_number.h>
+#include <thalweg/coupling/host.h>
 #include <thalweg/fields/state.h>
-#include <thalweg/fluid/body_forces.h>
 #include <thalweg/methods/solution_view.h>
 
 #include <string>
@@ -15,17 +14,6 @@
 
 namespace Thalweg
 {
-  /// What a method stands on, and what it is called there.
-  template <int dim>
-  struct Host
-  {
-    std::string      name; ///< empty: the only method
-    Context         &context;
-    Mesh<dim>       &mesh;
-    BodyForces<dim> &forces;
-    Ports           &ports; ///< what methods offer each other
-  };
-
   /**
    * @brief Something that advances its part of the solution by one time step,
    * and owns all that this part consists of; registered under "Method".
@@ -61,6 +49,13 @@ namespace Thalweg
     virtual void
     check_on_mesh(const Mesh<dim> &, std::vector<std::string> &) const
     {}
+
+    /// What it needs of other methods.
+    virtual std::vector<Need>
+    needs() const
+    {
+      return {};
+    }
 
     /// What is suspicious in parameters without faults, on the coarse mesh and
     /// with about so many cells.

@@ -26,6 +26,7 @@ namespace Thalweg
     const NodeSpace<dim>            &space;
     const Fluids                    &fluids;
     BodyForces<dim>                 &forces;
+    FlowTerms<dim>                  &terms;
     BoundaryConditions<dim>         &conditions;
     const BoundaryNodes<dim>        &boundary;
     Population<dim>                 &population;

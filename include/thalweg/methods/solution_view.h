@@ -2,6 +2,7 @@
 #ifndef thalweg_methods_solution_view_h
 #define thalweg_methods_solution_view_h
 
+#include <thalweg/core/offers.h>
 #include <thalweg/core/ports.h>
 #include <thalweg/core/section.h>
 #include <thalweg/methods/flow_view.h>
@@ -9,7 +10,6 @@
 #include <deal.II/base/exceptions.h>
 
 #include <list>
-#include <set>
 #include <string>
 
 namespace Thalweg
@@ -77,8 +77,8 @@ namespace Thalweg
     /// sides does not.
     bool                     fills_domain = true;
     ByName<FlowOutline<dim>> flows;
-    /// What methods will offer, see Ports.
-    std::set<std::string> offered{};
+    /// What methods will offer each other.
+    Offers offered{};
 
     /// That of a method, or the first. @throws dealii::ExcMessage
     const FlowOutline<dim> &

@@ -23,7 +23,6 @@ namespace Thalweg
     MeshAdaptation(SimulationParameters<dim>                &parameters,
                    Context                                  &context,
                    Mesh<dim>                                &mesh,
-                   MethodList<dim>                          &methods,
                    const std::vector<Postprocessor<dim> *>  &postprocessors,
                    const std::function<SolutionView<dim>()> &view);
 
@@ -66,7 +65,7 @@ namespace Thalweg
     void
     carry(const std::function<void()> &change);
 
-    /// Names all fields, with the values of the methods.
+    /// Names all fields, with the values of methods and couplings.
     void
     keep(const State<dim> &state);
 
@@ -74,6 +73,7 @@ namespace Thalweg
     Context                                 &context;
     Mesh<dim>                               &mesh;
     MethodList<dim>                         &methods;
+    CouplingList<dim>                       &couplings;
     const std::vector<Postprocessor<dim> *> &postprocessors;
     const std::function<SolutionView<dim>()> view;
     const MemoryEstimate                     memory;

@@ -23,6 +23,34 @@ namespace Thalweg
   class MethodList
   {
   public:
+    struct Entry
+    {
+      std::string  name; ///< empty: the only one
+      Method<dim> *method;
+
+      /// The name with a colon, for what is said of it.
+      std::string
+      prefix() const
+      {
+        return name.empty() ? "" : name + ": ";
+      }
+    };
+
+    /// Those that are used.
+    std::vector<Entry>
+    used() const;
+
+    /// Their names.
+    std::vector<std::string>
+    names_of_used() const;
+
+    /// What they offer each other and couplings.
+    Ports &
+    offers()
+    {
+      return ports;
+    }
+
     /// Declares "Method" and "Methods/Names", and makes the methods of
     /// @p input. @throws dealii::ExcMessage for names that cannot be
     void
@@ -38,6 +66,10 @@ namespace Thalweg
     void
     check_on_mesh(const Mesh<dim>          &coarse,
                   std::vector<std::string> &faults) const;
+
+    /// That they offer what they need of each other.
+    void
+    check_needs(const Offers &offers, std::vector<std::string> &faults) const;
 
     std::vector<std::string>
     warnings(const Mesh<dim> &coarse, const double n_cells) const;
@@ -84,10 +116,6 @@ namespace Thalweg
     StepNumbers
     step_numbers() const;
 
-    /// One after the other, each in as many steps as it wants.
-    void
-    advance(const double time, const double dt);
-
     SolutionView<dim>
     view(const Mesh<dim> &mesh, const Moment &moment) const;
 
@@ -107,23 +135,6 @@ namespace Thalweg
     headline() const;
 
   private:
-    struct Entry
-    {
-      std::string  name; ///< empty: the only one
-      Method<dim> *method;
-
-      /// The name with a colon, for what is said of it.
-      std::string
-      prefix() const
-      {
-        return name.empty() ? "" : name + ": ";
-      }
-    };
-
-    /// Those that are used.
-    std::vector<Entry>
-    used() const;
-
     /// What all say, with their names.
     template <typename Words>
     std::string

@@ -63,7 +63,7 @@ namespace Thalweg
     void
     make_adaptation();
 
-    /// Lets the methods know the mesh.
+    /// Lets methods and couplings know the mesh.
     void
     create_methods();
 
@@ -115,6 +115,15 @@ namespace Thalweg
     /// One step, or what is left of it after failures. @throws StepFailure
     void
     advance();
+
+    /// Begins the row of the statistics for a step that is to be made.
+    void
+    begin_row();
+
+    /// The methods are what they were before the step, while couplings keep
+    /// what they carried. @param row of the statistics before the step
+    void
+    repeat_step(const Archive &row);
 
     /// Makes the state and the row of the statistics what they were before
     /// the step. @param row of the statistics before the step
@@ -173,6 +182,7 @@ namespace Thalweg
 
     SimulationParameters<dim>        &parameters;
     MethodList<dim>                  &methods;
+    CouplingList<dim>                &couplings;
     Context                          &context;
     const Settings                    settings;
     CheckpointStore                   checkpoints;

@@ -7,7 +7,7 @@
 #include <thalweg/postprocess/postprocessor.h>
 #include <thalweg/simulation/checkpoint_parameters.h>
 #include <thalweg/simulation/memory_estimate.h>
-#include <thalweg/simulation/method_list.h>
+#include <thalweg/simulation/step_scheme.h>
 #include <thalweg/simulation/time_control.h>
 
 #include <string>
@@ -20,9 +20,10 @@ namespace Thalweg
   struct SimulationParameters
   {
     /// Declares all sections.
+    /// @param top the root of the input
     /// @param input says which methods are used: only these have sections
     void
-    declare(const Section &root, const ParameterFile &input);
+    declare(const Section &top, const ParameterFile &input);
 
     /**
      * @brief Appends every fault that can be found without running to
@@ -74,6 +75,8 @@ namespace Thalweg
     TimeControl                 time;
     BodyForces<dim>             forces;
     MethodList<dim>             methods;
+    CouplingList<dim>           couplings;
+    StepScheme<dim>             scheme{methods, couplings};
     Choices<Postprocessor<dim>> postprocessors;
   };
 } // namespace Thalweg

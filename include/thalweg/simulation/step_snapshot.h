@@ -21,8 +21,8 @@ namespace Thalweg
     void
     save(const Keep &keep);
 
-    /// Makes the state what it was at the last save(), on the same mesh.
-    /// Collective.
+    /// Makes what @p keep names what it was at the last save(), on the same
+    /// mesh: all that was saved, or the first of it. Collective.
     void
     restore(const Keep &keep) const;
 

@@ -12,7 +12,7 @@ namespace Thalweg
   {
     namespace
     {
-      constexpr std::int64_t most = std::numeric_limits<int>::max();
+      constexpr std::int64_t most_of_outlines = std::numeric_limits<int>::max();
 
 
       /// The shape that @p table has under @p key.
@@ -85,7 +85,7 @@ namespace Thalweg
         outline.add_point(words, i, read_point(words));
       words.expect("CELLS");
       const std::size_t n_cells = words.count("the number of cells", 3);
-      words.whole("the number of numbers", 0, most);
+      words.whole("the number of numbers", 0, most_of_outlines);
       if (n_cells != n_types)
         words.refuse("CELLS has " + std::to_string(n_cells) +
                      " cells, but CELL_TYPES has " + std::to_string(n_types));
@@ -115,16 +115,19 @@ namespace Thalweg
       for (const char *name : {"the number of nodes' data",
                                "the number of cells' data",
                                "the number of the model's data"})
-        words.whole(name, 0, most);
+        words.whole(name, 0, most_of_outlines);
       for (std::size_t i = 0; i < n_points; ++i)
         {
-          const auto number = words.whole("the number of a node", 0, most);
+          const auto number =
+            words.whole("the number of a node", 0, most_of_outlines);
           outline.add_point(words, number, read_point(words));
         }
       for (std::size_t i = 0; i < n_cells; ++i)
         {
-          const auto number = words.whole("the number of a cell", 0, most);
-          const auto id = words.whole("a material or boundary id", 0, most - 1);
+          const auto number =
+            words.whole("the number of a cell", 0, most_of_outlines);
+          const auto id =
+            words.whole("a material or boundary id", 0, most_of_outlines - 1);
           const std::string type = words.next("the type of a cell");
           outline.add_element(
             words,
@@ -153,15 +156,18 @@ namespace Thalweg
         while (true)
           {
             const auto number =
-              words.whole("the number of an element", -1, most);
+              words.whole("the number of an element", -1, most_of_outlines);
             if (number == -1)
               return;
-            const auto  type = words.whole("the type of an element", 0, most);
+            const auto type =
+              words.whole("the type of an element", 0, most_of_outlines);
             const Shape shape =
               shape_of(words, shapes, type, std::to_string(type));
             // Three properties and the number of nodes; of lines three more.
             for (unsigned int i = 0; i < (shape == Shape::line ? 7 : 4); ++i)
-              words.whole("an element's property", -most, most);
+              words.whole("an element's property",
+                          -most_of_outlines,
+                          most_of_outlines);
             outline.add_element(words, {shape, 0, number, 0, {}});
           }
       }
@@ -173,16 +179,21 @@ namespace Thalweg
       {
         while (true)
           {
-            if (words.whole("the number of a group", -1, most) == -1)
+            if (words.whole("the number of a group", -1, most_of_outlines) ==
+                -1)
               return;
             for (unsigned int i = 0; i < 6; ++i)
-              words.whole("a group's property", -most, most);
+              words.whole("a group's property",
+                          -most_of_outlines,
+                          most_of_outlines);
             const std::size_t n = words.count("the size of a group", 4);
             words.whole("the name of a group, which is used as id,",
                         0,
-                        most - 1);
+                        most_of_outlines - 1);
             for (std::size_t i = 0; i < 4 * n; ++i)
-              words.whole("a number in a group", -most, most);
+              words.whole("a number in a group",
+                          -most_of_outlines,
+                          most_of_outlines);
           }
       }
     } // namespace
@@ -197,17 +208,20 @@ namespace Thalweg
       skip_comments(words, text, 0);
       const auto begin = [&words]() {
         words.expect("-1");
-        return words.whole("the number of a section", 0, most);
+        return words.whole("the number of a section", 0, most_of_outlines);
       };
       for (auto section = begin(); section != 2411; section = begin())
         words.skip_behind("-1");
       while (true)
         {
-          const auto number = words.whole("the number of a node", -1, most);
+          const auto number =
+            words.whole("the number of a node", -1, most_of_outlines);
           if (number == -1)
             break;
           for (unsigned int i = 0; i < 3; ++i)
-            words.whole("a node's property", -most, most);
+            words.whole("a node's property",
+                        -most_of_outlines,
+                        most_of_outlines);
           outline.add_point(words, number, read_point(words));
         }
       if (begin() != 2412)

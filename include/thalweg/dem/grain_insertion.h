@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_dem_grain_insertion_h
+#define thalweg_dem_grain_insertion_h
+
+#include <thalweg/dem/grain_materials.h>
+#include <thalweg/dem/mesh_locator.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <string>
+#include <vector>
+
+namespace Thalweg
+{
+  /// Numbers that look random and follow from a seed, on any machine.
+  class RandomNumbers
+  {
+  public:
+    explicit RandomNumbers(const std::uint64_t seed)
+      : state(seed)
+    {}
+
+    /// The next one, from 0 to less than 1.
+    double
+    next();
+
+    /// The next one of the normal distribution.
+    double
+    next_normal();
+
+  private:
+    std::uint64_t state;
+  };
+
+  /**
+   * @brief How grains come in: the section "Insertion".
+   *
+   * All ranks find the same grains, in the same order.
+   */
+  template <int dim>
+  class GrainInsertion
+  {
+  public:
+    void
+    declare_parameters(const Section &section);
+
+    /// @throws dealii::ExcMessage for what cannot be
+    void
+    check(const GrainMaterials &materials) const;
+
+    /// The same for what is seen on the mesh.
+    void
+    check_on_mesh(const Mesh<dim> &mesh) const;
+
+    /// When grains come in for the @p n th time, s; infinity: never.
+    double
+    time_of(const unsigned int n) const;
+
+    /**
+     * @brief The grains of one time, the same on all ranks; collective.
+     * @param n how often some have come before
+     * @param first_id number of the first one
+     * @param present those that are there, of this rank
+     * @throws dealii::ExcMessage if there is no room for the number asked for
+     */
+    std::vector<GrainRecord>
+    make(const Mesh<dim>               &mesh,
+         const MeshLocator<dim>        &locator,
+         const GrainMaterials          &materials,
+         const unsigned int             n,
+         const std::uint64_t            first_id,
+         const std::vector<GrainPlace> &present) const;
+
+    /// m
+    double
+    largest_diameter() const;
+
+  private:
+    /// The next radius, m.
+    double
+    radius(RandomNumbers &random) const;
+
+    std::vector<GrainPlace>
+    on_lattice(const Mesh<dim> &mesh, RandomNumbers &random) const;
+
+    /// Says that there is no room at places that touch grains that are there on
+    /// any rank. Collective.
+    void
+    take_out_overlapping(const Mesh<dim>               &mesh,
+                         const std::vector<GrainPlace> &places,
+                         const std::vector<GrainPlace> &present,
+                         std::vector<char>             &room) const;
+
+    /// Places at random that touch neither each other nor those present.
+    std::vector<GrainPlace>
+    at_random(const Mesh<dim>               &mesh,
+              const MeshLocator<dim>        &locator,
+              RandomNumbers                 &random,
+              const std::vector<GrainPlace> &present) const;
+
+    bool
+    is_in_region(const Vec3 &x) const;
+
+    std::string  region   = "1";
+    std::string  pattern  = "lattice";
+    std::string  sizes    = "mono";
+    std::string  velocity = dim == 3 ? "0; 0; 0" : "0; 0";
+    std::string  spin     = dim == 3 ? "0; 0; 0" : "0";
+    std::string  material;
+    double       diameter = 0., spread = 0., spacing = 0., shake = 0.;
+    double       first = 0., interval = 0., last = 0.;
+    unsigned int number = 0, seed = 1;
+
+    mutable std::unique_ptr<dealii::FunctionParser<dim>> region_function;
+  };
+} // namespace Thalweg
+
+#endif

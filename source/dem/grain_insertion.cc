@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/dem/grain_insertion.h>
+#include <thalweg/fields/expression.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace Thalweg
+{
+  namespace
+  {
+    /// After so many places a grain that were tried in vain there is no room.
+    constexpr unsigned int most_trials = 2000;
+    constexpr unsigned int batch       = 4096;
+
+
+
+    /// Circles or spheres in a grid, to see which overlap.
+    class Occupancy
+    {
+    public:
+      explicit Occupancy(const double diameter)
+        : edge(diameter)
+      {}
+
+      void
+      add(const GrainPlace &grain)
+      {
+        cells[key(grain.x, 0, 0, 0)].push_back(grain);
+      }
+
+      bool
+      is_free(const GrainPlace &grain) const
+      {
+        for (int dz = -1; dz <= 1; ++dz)
+          for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+              if (const auto cell = cells.find(key(grain.x, dx, dy, dz));
+                  cell != cells.end())
+                for (const GrainPlace &other : cell->second)
+                  {
+                    const double contact = grain.r + other.r;
+                    if (norm_square(grain.x - other.x) < contact * contact)
+                      return false;
+                  }
+        return true;
+      }
+
+    private:
+      std::uint64_t
+      key(const Vec3 &x, const int dx, const int dy, const int dz) const
+      {
+        const auto number = [&](const double at, const int d) {
+          constexpr std::int64_t mask = (1 << 21) - 1;
+          return std::uint64_t(
+            (static_cast<std::int64_t>(std::floor(at / edge)) + d) & mask);
+        };
+        return number(x.x, dx) | number(x.y, dy) << 21 | number(x.z, dz) << 42;
+      }
+
+      const double                                               edge;
+      std::unordered_map<std::uint64_t, std::vector<GrainPlace>> cells;
+    };
+
+
+
+    template <int dim>
+    dealii::Point<dim>
+    point_at(const Vec3 &x)
+    {
+      dealii::Point<dim> p;
+      p[0] = x.x;
+      p[1] = x.y;
+      if (dim == 3)
+        p[dim - 1] = x.z;
+      return p;
+    }
+  } // namespace
+
+
+
+  double
+  RandomNumbers::next()
+  {
+    // splitmix64 (Steele, Lea, Flood 2014)
+    state += 0x9e3779b97f4a7c15ull;
+    std::uint64_t z = state;
+    z               = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z               = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return ((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  }
+
+
+
+  double
+  RandomNumbers::next_normal()
+  {
+    const double a = 1. - next(), b = next();
+    return std::sqrt(-2. * std::log(a)) * std::cos(2. * M_PI * b);
+  }
+
+
+
+  template <int dim>
+  double
+  GrainInsertion<dim>::radius(RandomNumbers &random) const
+  {
+    const auto bounded_normal = [&]() {
+      double value = 4.;
+      while (std::abs(value) > 3.)
+        value = random.next_normal();
+      return value;
+    };
+    if (sizes == "uniform")
+      return .5 * (diameter + spread * (2. * random.next() - 1.));
+    if (sizes == "normal")
+      return .5 * (diameter + spread * bounded_normal());
+    if (sizes == "lognormal")
+      return .5 * diameter * std::exp(spread * bounded_normal());
+    return .5 * diameter;
+  }
+
+
+
+  template <int dim>
+  bool
+  GrainInsertion<dim>::is_in_region(const Vec3 &x) const
+  {
+    return region_function->value(point_at<dim>(x)) > 0.;
+  }
+
+
+
+  template <int dim>
+  std::vector<GrainPlace>
+  GrainInsertion<dim>::on_lattice(const Mesh<dim> &mesh,
+                                  RandomNumbers   &random) const
+  {
+    const double s             = spacing > 0. ? spacing : largest_diameter();
+    const auto &[lower, upper] = mesh.box();
+    std::array<std::size_t, 3> n{{1, 1, 1}};
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double along = (upper[d] - lower[d]) / s;
+        AssertThrow(along < 1e6,
+                    dealii::ExcMessage("'Insertion/Spacing' is less than a "
+                                       "millionth of the domain."));
+        n[d] = static_cast<std::size_t>(std::floor(along + 1e-9));
+      }
+    std::vector<GrainPlace> places;
+    const auto              off = [&]() {
+      return shake > 0. ? shake * (2. * random.next() - 1.) : 0.;
+    };
+    for (std::size_t k = 0; k < n[2]; ++k)
+      for (std::size_t j = 0; j < n[1]; ++j)
+        for (std::size_t i = 0; i < n[0]; ++i)
+          {
+            Vec3 x{lower[0] + (i + .5) * s + off(),
+                   lower[1] + (j + .5) * s + off(),
+                   0.};
+            if (dim == 3)
+              x.z = lower[dim - 1] + (k + .5) * s + off();
+            const double r = radius(random);
+            if (is_in_region(x))
+              places.push_back({x, r});
+          }
+    return places;
+  }
+
+
+
+  template <int dim>
+  void
+  GrainInsertion<dim>::take_out_overlapping(
+    const Mesh<dim>               &mesh,
+    const std::vector<GrainPlace> &places,
+    const std::vector<GrainPlace> &present,
+    std::vector<char>             &room) const
+  {
+    double largest = largest_diameter();
+    for (const GrainPlace &grain : present)
+      largest = std::max(largest, 2. * grain.r);
+    Occupancy occupied(largest);
+    for (const GrainPlace &grain : present)
+      occupied.add(grain);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (room[i] != 0 && !occupied.is_free(places[i]))
+        room[i] = 0;
+    MPI_Allreduce(MPI_IN_PLACE,
+                  room.data(),
+                  room.size(),
+                  MPI_CHAR,
+                  MPI_MIN,
+                  mesh.triangulation().get_communicator());
+  }
+
+
+
+  template <int dim>
+  std::vector<GrainPlace>
+  GrainInsertion<dim>::at_random(const Mesh<dim>               &mesh,
+                                 const MeshLocator<dim>        &locator,
+                                 RandomNumbers                 &random,
+                                 const std::vector<GrainPlace> &present) const
+  {
+    Occupancy taken(largest_diameter());
+    const auto &[lower, upper] = mesh.box();
+    std::vector<GrainPlace> places;
+    unsigned int            in_vain = 0;
+    while (places.size() < number)
+      {
+        std::vector<GrainPlace> trials;
+        while (trials.size() < batch)
+          {
+            Vec3 x{lower[0] + random.next() * (upper[0] - lower[0]),
+                   lower[1] + random.next() * (upper[1] - lower[1]),
+                   0.};
+            if (dim == 3)
+              x.z = lower[dim - 1] +
+                    random.next() * (upper[dim - 1] - lower[dim - 1]);
+            trials.push_back({x, radius(random)});
+          }
+        std::vector<char> is_free = locator.have_room(trials);
+        take_out_overlapping(mesh, trials, present, is_free);
+        const std::size_t before = places.size();
+        for (unsigned int t = 0; t < batch && places.size() < number; ++t)
+          if (is_free[t] != 0 && is_in_region(trials[t].x) &&
+              taken.is_free(trials[t]))
+            {
+              taken.add(trials[t]);
+              places.push_back(trials[t]);
+            }
+        in_vain = places.size() > before ? 0 : in_vain + batch;
+        if (in_vain > most_trials * 100)
+          break;
+      }
+    return places;
+  }
+
+
+
+  template <int dim>
+  std::vector<GrainRecord>
+  GrainInsertion<dim>::make(const Mesh<dim>               &mesh,
+                            const MeshLocator<dim>        &locator,
+                            const GrainMaterials          &materials,
+                            const unsigned int             n,
+                            const std::uint64_t            first_id,
+                            const std::vector<GrainPlace> &present) const
+  {
+    const double time = time_of(n);
+    region_function   = parse_expression<dim>(region, 1, "Insertion/Region");
+    region_function->set_time(time);
+    RandomNumbers           random(seed * 1000003ull + n);
+    std::vector<GrainPlace> places;
+    if (pattern == "random")
+      places = at_random(mesh, locator, random, present);
+    else
+      {
+        const auto        all  = on_lattice(mesh, random);
+        std::vector<char> room = locator.have_room(all);
+        take_out_overlapping(mesh, all, present, room);
+        for (std::size_t i = 0; i < all.size(); ++i)
+          if (room[i] != 0 && (number == 0 || places.size() < number))
+            places.push_back(all[i]);
+      }
+    AssertThrow(places.size() >= number && !places.empty(),
+                dealii::ExcMessage(
+                  "'Insertion/Region' has room for " +
+                  std::to_string(places.size()) + " grains of the " +
+                  (number > 0 ? std::to_string(number) + " " : "") +
+                  "that are to come in: it must be in the domain " +
+                  mesh.extent() + " and large enough."));
+    const auto v = parse_expression<dim>(velocity, dim, "Insertion/Velocity");
+    const auto w =
+      parse_expression<dim>(spin, dim == 3 ? 3 : 1, "Insertion/Spin");
+    v->set_time(time);
+    w->set_time(time);
+    std::vector<GrainRecord> grains;
+    const Vec3               nothing{0., 0., 0.};
+    for (const auto &[x, r] : places)
+      {
+        GrainRecord grain{first_id + grains.size(),
+                          x,
+                          nothing,
+                          nothing,
+                          nothing,
+                          nothing,
+                          x,
+                          r,
+                          material.empty()
+                            ? 0
+                            : materials.find(material, "Insertion/Material"),
+                          0};
+        const auto  p = point_at<dim>(x);
+        grain.v       = {v->value(p, 0),
+                         v->value(p, 1),
+                   dim == 3 ? v->value(p, dim - 1) : 0.};
+        grain.w       = dim == 3
+                          ? Vec3{w->value(p, 0), w->value(p, 1), w->value(p, dim - 1)}
+                          : Vec3{0., 0., w->value(p, 0)};
+        grains.push_back(grain);
+      }
+    return grains;
+  }
+
+
+
+  template std::vector<GrainRecord>
+  GrainInsertion<2>::make(const Mesh<2> &,
+                          const MeshLocator<2> &,
+                          const GrainMaterials &,
+                          const unsigned int,
+                          const std::uint64_t,
+                          const std::vector<GrainPlace> &) const;
+  template std::vector<GrainRecord>
+  GrainInsertion<3>::make(const Mesh<3> &,
+                          const MeshLocator<3> &,
+                          const GrainMaterials &,
+                          const unsigned int,
+                          const std::uint64_t,
+                          const std::vector<GrainPlace> &) const;
+} // namespace Thalweg

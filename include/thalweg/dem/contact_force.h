@@ -35,8 +35,8 @@ namespace Thalweg
   {
     const Response response = Law::respond(constants.law, touch);
     // A dashpot pulls as soon as surfaces meet and until they part. In the step
-    // in which that happens it acts for a part of the time, or a longer one than
-    // the step: else the restitution depends on when contacts begin.
+    // in which that happens it acts for a part of the time, or a longer one
+    // than the step: else the restitution depends on when contacts begin.
     const double n_steps =
       touch.overlap / (std::abs(state.approach) * dt + 1e-300);
     const double damping =

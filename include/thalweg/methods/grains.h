@@ -63,9 +63,9 @@ namespace Thalweg
     using Method<dim>::publish;
 
     void
-    publish(const std::string &, RunOutline<dim> &outline) const override
+    publish(const std::string &name, RunOutline<dim> &outline) const override
     {
-      outline.offered.insert("grains");
+      outline.offered.add(name, "grains");
     }
 
     void

@@ -17,7 +17,7 @@ namespace Thalweg
   void
   check_grains(const RunOutline<dim> &outline, const std::string &model)
   {
-    AssertThrow(outline.offered.count("grains") > 0,
+    AssertThrow(outline.offered.has("", "grains"),
                 dealii::ExcMessage(
                   "No method of this run has grains. Take '" + model +
                   "' out of 'Postprocess/Models', or add a method to "

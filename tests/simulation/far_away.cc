@@ -58,7 +58,7 @@ namespace
 
 
 
-  const std::string steps =
+  const std::string few_steps =
     section("Time", {"Time step = 0.0078125", "End time = 0.0625"});
 
 
@@ -78,7 +78,7 @@ namespace
                            {"Lower corner = " + point(0., 0., offset),
                             "Upper corner = " + point(1., .5, offset),
                             "Repetitions = " + repetitions})) +
-           section("Refinement", refinement) + steps +
+           section("Refinement", refinement) + few_steps +
            section("Body forces", {"Gravity = 0, -9.81"}) +
            section("Initial conditions",
                    {"Level set = max(" + from("x", offset) + " - " + width +
@@ -101,7 +101,7 @@ namespace
                               ", " + std::to_string(.25 - offset) + ", " +
                               std::to_string(offset / 2. + .5),
                             "Repetitions = 8, 2, 4"})) +
-           steps + section("Body forces", {"Gravity = 0, 0, -9.81"}) +
+           few_steps + section("Body forces", {"Gravity = 0, 0, -9.81"}) +
            section("Initial conditions",
                    {"Level set = max(" + from("x", offset) + " - 0.26, " +
                     from("z", offset / 2.) + " - 0.31)"}) +
@@ -128,7 +128,7 @@ namespace
                               corner(1., .125, .1) + ";" +
                               corner(.125, .75, .04) + ";" +
                               corner(1.25, .625, -.02) + ": false"})) +
-           section("Refinement", {"Global levels = 3"}) + steps +
+           section("Refinement", {"Global levels = 3"}) + few_steps +
            section("Body forces", {"Gravity = 0, -9.81"}) +
            section("Initial conditions",
                    {"Level set = max(" + from("x", offset) + " - " + width +
@@ -148,7 +148,7 @@ namespace
                            {"Lower corner = " + point(0., 0., offset),
                             "Upper corner = " + point(1., 1., offset),
                             "Repetitions = 8, 8"})) +
-           steps + section("Method", {"Model = single fluid pfem2"}) +
+           few_steps + section("Method", {"Model = single fluid pfem2"}) +
            one_fluid(1., .01) +
            section("Boundary conditions",
                    {"Velocity = top: 1; 0", "Otherwise = no slip"});

@@ -23,7 +23,10 @@ namespace
     {
       for (const double dt : sizes)
         {
-          run.parameters.methods.advance(time, dt);
+          run.parameters.scheme.advance(time,
+                                        dt,
+                                        run.context.statistics,
+                                        []() {});
           time += dt;
         }
     }

@@ -51,9 +51,8 @@ namespace Thalweg
                     "'" + where + "' has " + text + ", but it must be " +
                     (greatest == no_limit
                        ? (least > 0. ? "positive" : "at least 0")
-                       : "between " + dealii::Utilities::to_string(least, 3) +
-                           " and " +
-                           dealii::Utilities::to_string(greatest, 3)) +
+                       : "between 0 and " +
+                           std::string(greatest == 1. ? "1" : "0.5")) +
                     "."));
       return value;
     }
@@ -231,7 +230,9 @@ namespace Thalweg
     read(density, "Density", positive, no_limit);
     read(young, "Young's modulus", positive, no_limit);
     read(poisson, "Poisson's ratio", 0., at_most_poisson);
-    read_pairs(restitution, "Restitution", 1e-3, 1.);
+    // So small that nothing comes back.
+    constexpr double least_restitution = 1e-3;
+    read_pairs(restitution, "Restitution", least_restitution, 1.);
     read_pairs(friction, "Friction", 0., no_limit);
     read_pairs(rolling, "Rolling friction", 0., no_limit);
     read_pairs(cohesion, "Cohesion", 0., no_limit);

@@ -23,10 +23,8 @@ namespace
     {
       for (const double dt : sizes)
         {
-          run.parameters.scheme.advance(time,
-                                        dt,
-                                        run.context.statistics,
-                                        []() {});
+          run.parameters.scheme.advance(time, dt, run.context.statistics, []() {
+          });
           time += dt;
         }
     }

@@ -18,7 +18,7 @@ namespace Thalweg
     Vector before, now; ///< on NodeSpace::velocity(), ghosted, m/s^2
     double time_before = 0., time_now = 0.; ///< s
 
-    /// How much of @ref now there is at @p time; the rest is @ref before.
+    /// How much of `now` there is at @p time; the rest is `before`.
     double
     part_of_now(const double time) const;
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/dem/boundary_facets.h>
+#include <thalweg/dem/points.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -65,15 +66,6 @@ namespace Thalweg
 
 
 
-    template <int dim>
-    Vec3
-    to_vec3(const dealii::Point<dim> &p)
-    {
-      return {p[0], p[1], dim == 3 ? p[dim - 1] : 0.};
-    }
-
-
-
     /// Whether a side is along the axes but for round-off, and as what.
     bool
     as_rectangle(const Side &side, const int dim, Rectangle &rectangle)
@@ -129,10 +121,10 @@ namespace Thalweg
     {
       Side side{0, 1 << (dim - 1), {}, {0., 0., 0.}};
       for (unsigned int v = 0; v < side.n_corners; ++v)
-        side.corner[v] = to_vec3<dim>(
+        side.corner[v] = as_vec3<dim>(
           vertices[dealii::GeometryInfo<dim>::face_to_cell_vertices(f, v)]);
       for (const auto &vertex : vertices)
-        side.inside += (1. / vertices.size()) * to_vec3<dim>(vertex);
+        side.inside += (1. / vertices.size()) * as_vec3<dim>(vertex);
       return side;
     }
 

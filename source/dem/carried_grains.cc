@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
 #include <thalweg/dem/carried_grains.h>
+#include <thalweg/mesh/cell_order.h>
 
 #include <cmath>
 
@@ -10,17 +11,13 @@ namespace Thalweg
   void
   CarriedGrains<dim>::save()
   {
-    saved                = grains.all();
-    const unsigned int n = mesh.graph().n_owned_cells();
-    begin_of_cell.assign(n + 1, 0);
+    saved = grains.all();
+    std::vector<unsigned int> cells;
     for (const GrainRecord &grain : saved.grains)
-      ++begin_of_cell[grain.cell + 1];
-    for (unsigned int c = 0; c < n; ++c)
-      begin_of_cell[c + 1] += begin_of_cell[c];
-    std::vector<std::uint32_t> next(begin_of_cell);
-    of_cell.resize(saved.grains.size());
-    for (std::uint32_t g = 0; g < saved.grains.size(); ++g)
-      of_cell[next[saved.grains[g].cell]++] = g;
+      cells.push_back(grain.cell);
+    CellOrder order(cells, mesh.graph().n_owned_cells());
+    of_cell.swap(order.things);
+    begin_of_cell.swap(order.begin);
   }
 
 
@@ -40,18 +37,13 @@ namespace Thalweg
                            const Compat::CellFate fate,
                            std::vector<char>     &bytes) const
   {
-    const bool         is_coarsened = fate == Compat::CellFate::is_coarsened;
-    const unsigned int n_sources    = is_coarsened ? cell->n_children() : 1u;
-    std::uint32_t      n            = 0;
-    const auto         index        = [&](const unsigned int c) {
-      return mesh.graph().index(is_coarsened ? cell->child(c) : cell);
-    };
-    for (unsigned int c = 0; c < n_sources; ++c)
-      n += begin_of_cell[index(c) + 1] - begin_of_cell[index(c)];
+    const auto    sources = this->cells_before(mesh.graph(), cell, fate);
+    std::uint32_t n       = 0;
+    for (const unsigned int c : sources)
+      n += begin_of_cell[c + 1] - begin_of_cell[c];
     append_plain(bytes, n);
-    for (unsigned int c = 0; c < n_sources; ++c)
-      for (auto k = begin_of_cell[index(c)]; k < begin_of_cell[index(c) + 1];
-           ++k)
+    for (const unsigned int c : sources)
+      for (auto k = begin_of_cell[c]; k < begin_of_cell[c + 1]; ++k)
         {
           const std::uint32_t g        = of_cell[k];
           const auto         &contacts = saved.contacts;

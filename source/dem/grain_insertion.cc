@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/mixed_bits.h>
 #include <thalweg/dem/grain_insertion.h>
+#include <thalweg/dem/points.h>
 #include <thalweg/fields/expression.h>
 
 #include <algorithm>
@@ -63,19 +65,6 @@ namespace Thalweg
       std::unordered_map<std::uint64_t, std::vector<GrainPlace>> cells;
     };
 
-
-
-    template <int dim>
-    dealii::Point<dim>
-    point_at(const Vec3 &x)
-    {
-      dealii::Point<dim> p;
-      p[0] = x.x;
-      p[1] = x.y;
-      if (dim == 3)
-        p[dim - 1] = x.z;
-      return p;
-    }
   } // namespace
 
 
@@ -83,12 +72,9 @@ namespace Thalweg
   double
   RandomNumbers::next()
   {
-    // splitmix64 (Steele, Lea, Flood 2014)
-    state += 0x9e3779b97f4a7c15ull;
-    std::uint64_t z = state;
-    z               = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z               = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return ((z ^ (z >> 31)) >> 11) * 0x1p-53;
+    const std::uint64_t bits = mixed_bits(state);
+    state += mixing_step;
+    return (bits >> 11) * 0x1p-53;
   }
 
 
@@ -127,7 +113,7 @@ namespace Thalweg
   bool
   GrainInsertion<dim>::is_in_region(const Vec3 &x) const
   {
-    return region_function->value(point_at<dim>(x)) > 0.;
+    return region_function->value(as_point<dim>(x)) > 0.;
   }
 
 
@@ -293,7 +279,7 @@ namespace Thalweg
                             ? 0
                             : materials.find(material, "Insertion/Material"),
                           0};
-        const auto  p = point_at<dim>(x);
+        const auto  p = as_point<dim>(x);
         grain.v       = {v->value(p, 0),
                          v->value(p, 1),
                    dim == 3 ? v->value(p, dim - 1) : 0.};

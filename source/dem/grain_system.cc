@@ -84,14 +84,7 @@ namespace Thalweg
     GrainSet set = all();
     for (const GrainRecord &grain : grains)
       set.append(grain, nullptr, 0, nullptr, 0);
-    for (GrainRecord &grain : set.grains)
-      {
-        grain.x += locator->wrap(grain.x);
-        grain.reference = grain.x;
-      }
-    travelled = 0.;
-    distribute(set);
-    arrange(set);
+    begin_anew(set);
   }
 
 
@@ -100,6 +93,15 @@ namespace Thalweg
   GrainSystem::rebuild()
   {
     GrainSet set = all();
+    begin_anew(set);
+    ++counts.n_rebuilds;
+  }
+
+
+
+  void
+  GrainSystem::begin_anew(GrainSet &set)
+  {
     for (GrainRecord &grain : set.grains)
       {
         grain.x += locator->wrap(grain.x);
@@ -108,7 +110,6 @@ namespace Thalweg
     travelled = 0.;
     distribute(set);
     arrange(set);
-    ++counts.n_rebuilds;
   }
 
 

@@ -2,6 +2,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/core/send_plain.h>
 #include <thalweg/dem/mesh_locator.h>
+#include <thalweg/dem/points.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,6 @@ namespace Thalweg
   {
     /// Sides of cells are as thick as this part of the mesh's size.
     constexpr double thickness = 1e-12;
-
-    template <int dim>
-    dealii::Point<dim>
-    to_point(const Vec3 &x)
-    {
-      dealii::Point<dim> p;
-      p[0] = x.x;
-      p[1] = x.y;
-      if (dim == 3)
-        p[dim - 1] = x.z;
-      return p;
-    }
   } // namespace
 
 
@@ -169,7 +158,7 @@ namespace Thalweg
   bool
   MeshLocator<dim>::is_in(const std::uint32_t c, const Vec3 &place) const
   {
-    const auto x = to_point<dim>(place);
+    const auto x = as_point<dim>(place);
     for (unsigned int d = 0; d < dim; ++d)
       if (x[d] < boxes[c].first[d] || x[d] > boxes[c].second[d])
         return false;
@@ -193,7 +182,7 @@ namespace Thalweg
   std::uint32_t
   MeshLocator<dim>::find_here(const Vec3 &place) const
   {
-    const auto x = to_point<dim>(place);
+    const auto x = as_point<dim>(place);
     for (unsigned int d = 0; d < dim; ++d)
       if (!(x[d] >= lower[d] && x[d] <= upper[d]))
         return nowhere;
@@ -226,7 +215,7 @@ namespace Thalweg
       if (owners[i].rank < 0)
         for (unsigned int r = 0; r < n_ranks; ++r)
           {
-            const auto    x   = to_point<dim>(places[i]);
+            const auto    x   = as_point<dim>(places[i]);
             const double *box = rank_boxes.data() + 2 * dim * r;
             bool          may = r != rank;
             for (unsigned int d = 0; d < dim; ++d)
@@ -347,7 +336,7 @@ namespace Thalweg
   MeshLocator<dim>::wrap(const Vec3 &x) const
   {
     Vec3       shift{0., 0., 0.};
-    const auto at = to_point<dim>(x);
+    const auto at = as_point<dim>(x);
     for (const PeriodicPair &pair : mesh.periodic_pairs())
       {
         const unsigned int d    = pair.direction;

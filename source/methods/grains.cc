@@ -157,18 +157,11 @@ namespace Thalweg
   {
     host->forces.set_time(time);
     system->add_forces([this](const Vec3 &x, const Vec3 &v, const double mass) {
-      dealii::Point<dim>     p;
-      dealii::Tensor<1, dim> velocity;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          p[d]        = d == 0 ? x.x : d == 1 ? x.y : x.z;
-          velocity[d] = d == 0 ? v.x : d == 1 ? v.y : v.z;
-        }
       dealii::Tensor<1, dim> a = host->forces.uniform_acceleration();
       if (host->forces.has_field())
-        a += host->forces.field(p);
+        a += host->forces.field(as_point<dim>(x));
       if (host->forces.is_rotating())
-        a -= 2. * (host->forces.spin() * velocity);
+        a -= 2. * (host->forces.spin() * as_point<dim>(v));
       return mass * as_vec3(a);
     });
   }

@@ -68,18 +68,15 @@ namespace Thalweg
                                const Compat::CellFate fate,
                                std::vector<char>     &bytes) const
   {
-    const CellGraph<dim> &graph        = population.mesh().graph();
-    const bool            is_coarsened = fate == Compat::CellFate::is_coarsened;
-    const unsigned int    n_sources    = is_coarsened ? cell->n_children() : 1u;
-    const auto            source       = [&](const unsigned int c) {
-      return graph.index(is_coarsened ? cell->child(c) : cell);
-    };
+    const bool is_coarsened = fate == Compat::CellFate::is_coarsened;
+    const auto sources =
+      this->cells_before(population.mesh().graph(), cell, fate);
     std::uint32_t n = 0;
-    for (unsigned int c = 0; c < n_sources; ++c)
-      n += saved.n_in_cell(source(c));
+    for (const unsigned int source : sources)
+      n += saved.n_in_cell(source);
     append_plain(bytes, n);
-    for (unsigned int c = 0; c < n_sources; ++c)
-      for (const auto &particle : saved.in_cell(source(c)))
+    for (unsigned int c = 0; c < sources.size(); ++c)
+      for (const auto &particle : saved.in_cell(sources[c]))
         {
           append_plain(bytes, particle.id());
           append_plain(bytes, particle.position());
@@ -135,16 +132,10 @@ namespace Thalweg
                                     const Compat::CellFate fate,
                                     ParticlePlace<dim>    &place) const
   {
-    const CellGraph<dim> &graph  = population.mesh().graph();
-    CellIterator          target = cell;
-    if (fate == Compat::CellFate::is_refined)
-      {
-        const auto child = sub_cell<dim>(place.reference);
-        target           = cell->child(child);
-        place.reference  = from_parent<dim>(place.reference, child);
-      }
+    const CellGraph<dim> &graph = population.mesh().graph();
+    const unsigned int    index =
+      find_cell_after(graph, cell, fate, place.reference);
     // Where boundaries are curved, children do not lie in their parents.
-    const unsigned int index = graph.index(target);
     if (fate != Compat::CellFate::persists && !graph.cell(index).axis_parallel)
       place.position =
         Q1::position<dim>(graph.cell(index).vertices, place.reference);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/mesh/cell_order.h>
 #include <thalweg/particles/belongings.h>
-#include <thalweg/particles/cell_order.h>
 #include <thalweg/particles/journey.h>
 #include <thalweg/particles/particle_journeys.h>
 #include <thalweg/particles/path_field.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
-#include <thalweg/particles/cell_order.h>
+#include <thalweg/mesh/cell_order.h>
 #include <thalweg/particles/population.h>
 
 #include <deal.II/base/exceptions.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/mixed_bits.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/mesh/round_off.h>
 #include <thalweg/particles/seeding.h>
@@ -18,16 +19,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Mixes the bits of a number (SplitMix64's finalizer by S. Vigna).
-    std::uint64_t
-    mix(std::uint64_t x)
-    {
-      x += 0x9e3779b97f4a7c15ull;
-      x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-      x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-      return x ^ (x >> 31);
-    }
-
     /// A number that the cell's place in the forest of trees determines.
     template <int dim>
     std::uint64_t
@@ -35,7 +26,7 @@ namespace Thalweg
     {
       std::uint64_t value = 0;
       for (const unsigned int word : cell.template to_binary<dim>())
-        value = mix(value ^ word);
+        value = mixed_bits(value ^ word);
       return value;
     }
 
@@ -60,8 +51,9 @@ namespace Thalweg
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double displacement =
-            jitter > 0 ? jitter * symmetric_unit(mix(cell_hash + dim * k + d))
-                       : 0.;
+            jitter > 0
+              ? jitter * symmetric_unit(mixed_bits(cell_hash + dim * k + d))
+              : 0.;
           reference[d] = (rest % n + 0.5 + 0.5 * displacement) / n;
           rest /= n;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
+#include <thalweg/mesh/cell_order.h>
 #include <thalweg/particles/sub_cell.h>
 #include <thalweg/particles/tracer_cloud.h>
 
@@ -82,22 +83,19 @@ namespace Thalweg
   void
   TracerCloud<dim>::sort(std::vector<unsigned int> &begin)
   {
-    const unsigned int n_cells = mesh_.graph().n_owned_cells();
-    const auto         is_in   = [](const Member &member) {
-      return member.walker.fate == Fate::arrived ||
-             member.walker.fate == Fate::under_way;
-    };
-    begin.assign(n_cells + 1, 0);
-    for (const Member &member : cloud)
-      if (is_in(member))
-        ++begin[member.walker.cell + 1];
-    for (unsigned int c = 0; c < n_cells; ++c)
-      begin[c + 1] += begin[c];
-    std::vector<Member>       sorted(begin[n_cells]);
-    std::vector<unsigned int> next(begin.begin(), begin.end() - 1);
-    for (const Member &member : cloud)
-      if (is_in(member))
-        sorted[next[member.walker.cell]++] = member;
+    std::vector<unsigned int> cells;
+    cells.reserve(cloud.size());
+    for (const auto &[walker, tracer] : cloud)
+      cells.push_back(walker.fate == Fate::arrived ||
+                          walker.fate == Fate::under_way
+                        ? walker.cell
+                        : dealii::numbers::invalid_unsigned_int);
+    CellOrder           order(cells, mesh_.graph().n_owned_cells());
+    std::vector<Member> sorted;
+    sorted.reserve(order.things.size());
+    for (const unsigned int i : order.things)
+      sorted.push_back(cloud[i]);
+    begin.swap(order.begin);
     cloud.swap(sorted);
   }
 
@@ -150,18 +148,15 @@ namespace Thalweg
                          const Compat::CellFate fate,
                          std::vector<char>     &bytes) const
   {
-    const bool         is_coarsened = fate == Compat::CellFate::is_coarsened;
-    const unsigned int n_sources    = is_coarsened ? cell->n_children() : 1u;
-    const auto         index        = [&](const unsigned int c) {
-      return mesh_.graph().index(is_coarsened ? cell->child(c) : cell);
-    };
-    std::uint32_t n = 0;
-    for (unsigned int c = 0; c < n_sources; ++c)
-      n += saved_begin[index(c) + 1] - saved_begin[index(c)];
+    const bool    is_coarsened = fate == Compat::CellFate::is_coarsened;
+    const auto    sources      = this->cells_before(mesh_.graph(), cell, fate);
+    std::uint32_t n            = 0;
+    for (const unsigned int source : sources)
+      n += saved_begin[source + 1] - saved_begin[source];
     append_plain(bytes, n);
-    for (unsigned int c = 0; c < n_sources; ++c)
-      for (unsigned int i = saved_begin[index(c)];
-           i < saved_begin[index(c) + 1];
+    for (unsigned int c = 0; c < sources.size(); ++c)
+      for (unsigned int i = saved_begin[sources[c]];
+           i < saved_begin[sources[c] + 1];
            ++i)
         {
           dealii::Point<dim> reference = saved[i].walker.reference_point();
@@ -197,16 +192,9 @@ namespace Thalweg
         Tracer<dim>        tracer;
         reader.read(reference);
         reader.read(tracer);
-        CellIterator target = cell;
-        if (fate == Compat::CellFate::is_refined)
-          {
-            const auto child = sub_cell<dim>(reference);
-            target           = cell->child(child);
-            reference        = from_parent<dim>(reference, child);
-          }
-        received.push_back(
-          {Walker<dim>::start(mesh_.graph().index(target), reference, 0.),
-           tracer});
+        const unsigned int index =
+          find_cell_after(mesh_.graph(), cell, fate, reference);
+        received.push_back({Walker<dim>::start(index, reference, 0.), tracer});
       }
   }
 

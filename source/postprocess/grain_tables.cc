@@ -1,53 +1,73 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of single grains, of what leaves, and of the forces on walls.
-#include <thalweg/mesh/boundary_name.h>
-#include <thalweg/postprocess/csv_file.h>
-#include <thalweg/postprocess/grain_access.h>
-#include <thalweg/postprocess/postprocessor.h>
-#include <thalweg/postprocess/schedule.h>
+#include <thalweg/methods/grain_view.h>
+#include <thalweg/postprocess/offered_output.h>
+
+#include <algorithm>
 
 namespace Thalweg
 {
   namespace
   {
-    /// A table for each method with grains.
-    class GrainTables
+    /// The grains of all methods that have some, by the methods' names.
+    template <int dim>
+    std::map<std::string, const GrainView *>
+    all_grains(const SolutionView<dim> &solution)
+    {
+      return solution.ports->template all<const GrainView>("grains");
+    }
+
+
+
+    /// A table of grains for each method that has some.
+    template <int dim>
+    class GrainTable : public Postprocessor<dim>
     {
     public:
-      CsvFile &
-      operator[](const std::string &method)
-      {
-        return files[method];
-      }
+      /// @param model its name
+      explicit GrainTable(const std::string &model)
+        : model(model)
+      {}
 
       void
-      keep(const Archive &archive, const bool without_last = false)
+      check(const RunOutline<dim> &outline) const override
       {
-        for (auto &[name, file] : files)
-          file.keep(archive.enter(name + ":"), without_last);
+        check_offered(outline.offered, "grains", model, "sand: grains");
       }
 
+    protected:
+      /// Begins the table of a method.
+      void
+      open(Context                        &context,
+           const std::string              &method,
+           const std::vector<std::string> &columns)
+      {
+        std::string name = file_name_of(method, "grains") + "_" + model;
+        std::replace(name.begin(), name.end(), ' ', '_');
+        tables[method].open(context, name + ".csv", columns);
+      }
+
+      TablesOfMethods tables;
+
     private:
-      std::map<std::string, CsvFile> files;
+      const std::string model;
     };
 
 
 
     /// One grain in each step.
     template <int dim>
-    class OneGrain : public Postprocessor<dim>
+    class OneGrain : public GrainTable<dim>
     {
     public:
+      OneGrain()
+        : GrainTable<dim>("one grain")
+      {}
+
       void
       declare_parameters(const Section &section) override
       {
         section.add("Grain", id, "", "The number of the grain.");
-      }
-
-      void
-      check(const RunOutline<dim> &outline) const override
-      {
-        check_grains(outline, "one grain");
       }
 
       void
@@ -61,9 +81,7 @@ namespace Thalweg
         for (unsigned int d = dim == 3 ? 0 : 2; d < 3; ++d)
           columns.push_back("spin " + std::string(1, "xyz"[d]) + " [rad/s]");
         for (const auto &[name, grains] : all_grains(solution))
-          tables[name].open(context,
-                            grain_file_name(name) + "_one_grain.csv",
-                            columns);
+          this->open(context, name, columns);
       }
 
       void
@@ -99,38 +117,35 @@ namespace Thalweg
                 0.)
               continue;
             row[0] = solution.moment.time;
-            tables[name].write_row(context, row);
+            this->tables[name].write_row(context, row);
           }
       }
 
       void
       keep(const State<dim> &state) override
       {
-        tables.keep(state.values());
+        this->tables.keep(state.values());
       }
 
     private:
       unsigned int id = 0;
-      GrainTables  tables;
     };
 
 
 
     /// How many grains leave in a second.
     template <int dim>
-    class GrainDischarge : public Postprocessor<dim>
+    class GrainDischarge : public GrainTable<dim>
     {
     public:
+      GrainDischarge()
+        : GrainTable<dim>("discharge")
+      {}
+
       void
       declare_parameters(const Section &section) override
       {
         schedule.declare_parameters(section, "rows");
-      }
-
-      void
-      check(const RunOutline<dim> &outline) const override
-      {
-        check_grains(outline, "discharge");
       }
 
       void
@@ -139,12 +154,12 @@ namespace Thalweg
         for (const auto &[name, grains] : all_grains(solution))
           {
             sums[name];
-            tables[name].open(context,
-                              grain_file_name(name) + "_discharge.csv",
-                              {"time [s]",
-                               "grains left",
-                               "mass left [kg]",
-                               "mass a second [kg/s]"});
+            this->open(context,
+                       name,
+                       {"time [s]",
+                        "grains left",
+                        "mass left [kg]",
+                        "mass a second [kg/s]"});
           }
       }
 
@@ -174,13 +189,12 @@ namespace Thalweg
         for (auto &[name, sum] : sums)
           {
             const double interval = now.time - sum.last_time;
-            tables[name].write_row(context,
-                                   {now.time,
-                                    sum.n,
-                                    sum.mass,
-                                    interval > 0.
-                                      ? (sum.mass - sum.last_mass) / interval
-                                      : 0.});
+            this->tables[name].write_row(
+              context,
+              {now.time,
+               sum.n,
+               sum.mass,
+               interval > 0. ? (sum.mass - sum.last_mass) / interval : 0.});
             sum.last_time = now.time;
             sum.last_mass = sum.mass;
           }
@@ -190,7 +204,7 @@ namespace Thalweg
       keep(const State<dim> &state) override
       {
         schedule.keep(state.values());
-        tables.keep(state.values(), schedule.was_due_for_the_end());
+        this->tables.keep(state.values(), schedule.was_due_for_the_end());
         for (auto &[name, sum] : sums)
           {
             const Archive archive = state.values().enter(name + ": sums");
@@ -209,26 +223,23 @@ namespace Thalweg
 
       Schedule                   schedule{.05};
       std::map<std::string, Sum> sums;
-      GrainTables                tables;
     };
 
 
 
     /// Forces and torques on walls.
     template <int dim>
-    class WallForces : public Postprocessor<dim>
+    class WallForces : public GrainTable<dim>
     {
     public:
+      WallForces()
+        : GrainTable<dim>("wall forces")
+      {}
+
       void
       declare_parameters(const Section &section) override
       {
         schedule.declare_parameters(section, "rows");
-      }
-
-      void
-      check(const RunOutline<dim> &outline) const override
-      {
-        check_grains(outline, "wall forces");
       }
 
       void
@@ -241,9 +252,7 @@ namespace Thalweg
               for (unsigned int d = 0; d < dim; ++d)
                 columns.push_back(wall + ": force " + std::string(1, "xyz"[d]) +
                                   " [N]");
-            tables[name].open(context,
-                              grain_file_name(name) + "_wall_forces.csv",
-                              columns);
+            this->open(context, name, columns);
           }
       }
 
@@ -263,7 +272,7 @@ namespace Thalweg
               }
             dealii::Utilities::MPI::sum(row, context.communicator, row);
             row[0] = now.time;
-            tables[name].write_row(context, row);
+            this->tables[name].write_row(context, row);
           }
       }
 
@@ -271,12 +280,11 @@ namespace Thalweg
       keep(const State<dim> &state) override
       {
         schedule.keep(state.values());
-        tables.keep(state.values(), schedule.was_due_for_the_end());
+        this->tables.keep(state.values(), schedule.was_due_for_the_end());
       }
 
     private:
-      Schedule    schedule{.05};
-      GrainTables tables;
+      Schedule schedule{.05};
     };
   } // namespace
 

@@ -4,14 +4,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <filesystem>
 #include <gtest/gtest.h>
 
 #include "support/complaint.h"
 #include "support/dimensions.h"
-#include "support/files.h"
 #include "support/input.h"
-#include "support/run_case.h"
+#include "support/resumed_case.h"
 
 using namespace Thalweg;
 
@@ -220,53 +218,15 @@ TYPED_TEST(GrainsMpi, EnergyIsMissedWithTheSquareOfTheSubStep)
 
 TYPED_TEST(GrainsMpi, ARunGoesOnFromACheckpointWithTheSameBits)
 {
-  constexpr int     dim   = TypeParam::value;
-  const std::string input = wandering_mesh<dim>() + some<dim>();
-  const std::string end   = grain_steps("0.01", "0.2");
-  const std::string place = own_path("grains_resumed");
-  const bool        is_root =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  if (is_root)
-    {
-      std::filesystem::remove_all(place);
-      std::filesystem::create_directories(place);
-    }
-  MPI_Barrier(MPI_COMM_WORLD);
-  const RunCase<dim> straight(input + end, MPI_COMM_SELF);
-  for (const bool is_resumed : {false, true})
-    {
-      dealii::ParameterHandler  prm;
-      SimulationParameters<dim> parameters;
-      Context                   context(MPI_COMM_WORLD);
-      const std::string         text =
-        input + end +
-        (is_resumed ? "" : section("Time", {"Maximal number of steps = 11"}));
-      context.log              = Log(false);
-      context.output_directory = place;
-      context.resumed          = is_resumed;
-      parameters.declare(Section(prm), ParameterFile(text, "the input"));
-      prm.parse_input_from_string(text);
-      Simulation<dim> simulation(MPI_COMM_WORLD, parameters, context);
-      simulation.run();
-      if (is_resumed)
-        {
-          std::map<std::uint64_t, GrainRecord> some;
-          for (const auto &grain :
-               simulation.view()
-                 .ports
-                 ->template get<const GrainView>("sand", "grains", "A test")
-                 .system.all()
-                 .grains)
-            some[grain.id] = grain;
-          expect_same_bits(some, grains_of(straight));
-          EXPECT_NEAR(context.statistics.get("sand: missing energy [J]"),
-                      straight.last("sand: missing energy [J]"),
-                      1e-9);
-        }
-    }
-  MPI_Barrier(MPI_COMM_WORLD);
-  if (is_root)
-    std::filesystem::remove_all(place);
+  constexpr int          dim   = TypeParam::value;
+  const std::string      input = wandering_mesh<dim>() + some<dim>();
+  const std::string      end   = grain_steps("0.01", "0.2");
+  const RunCase<dim>     straight(input + end, MPI_COMM_SELF);
+  const ResumedCase<dim> resumed(input + end, 11);
+  expect_same_bits(grains_of(*resumed), grains_of(straight));
+  EXPECT_NEAR(resumed->last("sand: missing energy [J]"),
+              straight.last("sand: missing energy [J]"),
+              1e-9);
 }
 
 

@@ -4,13 +4,11 @@
 #include <thalweg/fields/node_space.h>
 #include <thalweg/methods/method.h>
 
-#include <filesystem>
 #include <gtest/gtest.h>
 
 #include "support/complaint.h"
-#include "support/files.h"
 #include "support/input.h"
-#include "support/run_case.h"
+#include "support/resumed_case.h"
 
 using namespace Thalweg;
 
@@ -216,36 +214,10 @@ TEST_F(MethodsMpi, ARunGoesOnFromACheckpoint)
 {
   const std::string input = changing + two_ramps({"Rate = 2", "Follow = a"}) +
                             section("Time", {"Time step = .1", "End time = 1"});
-  const std::string place = own_path("methods_resumed");
-  const auto        run   = [&](const bool resumed, const std::string &more) {
-    dealii::ParameterHandler prm;
-    SimulationParameters<2>  parameters;
-    Context                  context(MPI_COMM_WORLD);
-    context.log              = Log(false);
-    context.output_directory = place;
-    context.resumed          = resumed;
-    parameters.declare(Section(prm), ParameterFile(input, "the input"));
-    prm.parse_input_from_string(input + more);
-    Simulation<2>(MPI_COMM_WORLD, parameters, context).run();
-    return std::make_pair(context.statistics.get("b: value"),
-                          context.statistics.get("b: sub-steps"));
-  };
-  const bool is_root =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  if (is_root)
-    {
-      std::filesystem::remove_all(place);
-      std::filesystem::create_directories(place);
-    }
-  MPI_Barrier(MPI_COMM_WORLD);
-  run(false, section("Time", {"Maximal number of steps = 5"}));
-  const auto resumed  = run(true, "");
-  const auto straight = RunCase<2>(input);
-  EXPECT_EQ(resumed.first, straight.last("b: value"));
-  EXPECT_EQ(resumed.second, straight.last("b: sub-steps"));
-  MPI_Barrier(MPI_COMM_WORLD);
-  if (is_root)
-    std::filesystem::remove_all(place);
+  const ResumedCase<2> resumed(input, 5);
+  const RunCase<2>     straight(input);
+  for (const char *column : {"b: value", "b: sub-steps"})
+    EXPECT_EQ(resumed->last(column), straight.last(column));
 }
 
 

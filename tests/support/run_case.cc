@@ -2,10 +2,15 @@
 #include "support/run_case.h"
 
 template <int dim>
-RunCase<dim>::RunCase(const std::string &text, const MPI_Comm communicator)
+RunCase<dim>::RunCase(const std::string &text,
+                      const MPI_Comm     communicator,
+                      const std::string &output_directory,
+                      const bool         is_resumed)
   : context(communicator)
 {
-  context.log = Thalweg::Log(false);
+  context.log              = Thalweg::Log(false);
+  context.output_directory = output_directory;
+  context.resumed          = is_resumed;
   {
     const Thalweg::Section root(prm);
     parameters.declare(root, Thalweg::ParameterFile(text, "the test's input"));

@@ -10,13 +10,17 @@
 #include <string>
 
 /**
- * @brief A run from the text of an input file, without any output, for tests.
+ * @brief A run from the text of an input file, for tests.
  */
 template <int dim>
 struct RunCase
 {
+  /// @param output_directory empty: nothing is written
+  /// @param is_resumed whether it goes on from a checkpoint there
   explicit RunCase(const std::string &text,
-                   const MPI_Comm     communicator = MPI_COMM_WORLD);
+                   const MPI_Comm     communicator     = MPI_COMM_WORLD,
+                   const std::string &output_directory = "",
+                   const bool         is_resumed       = false);
 
   ~RunCase();
 

@@ -70,7 +70,7 @@ namespace Thalweg
     const Mesh<dim> &mesh;
     GrainSet         saved, received;
     /// The saved grains of each cell: which of them, and where they begin.
-    std::vector<std::uint32_t> of_cell, begin_of_cell;
+    std::vector<unsigned int> of_cell, begin_of_cell;
   };
 } // namespace Thalweg
 

@@ -195,6 +195,11 @@ namespace Thalweg
     void
     rebuild();
 
+    /// Lets all begin where they are, a period back where they have crossed
+    /// the boundary.
+    void
+    begin_anew(GrainSet &set);
+
     /// Sends grains to the ranks that own their references, and takes those out
     /// that have gone.
     void

@@ -4,6 +4,7 @@
 
 #include <thalweg/core/bytes.h>
 #include <thalweg/core/compat_weights.h>
+#include <thalweg/mesh/cell_graph.h>
 
 #include <vector>
 
@@ -68,6 +69,22 @@ namespace Thalweg
     /// Makes what came all that there is. Collective.
     virtual void
     end_to_unpack() = 0;
+
+  protected:
+    /// The owned cells of the mesh as it was at the last save() from which
+    /// pack() is to write: the cell itself, or its children in their order.
+    static std::vector<unsigned int>
+    cells_before(const CellGraph<dim>  &graph,
+                 const CellIterator    &cell,
+                 const Compat::CellFate fate)
+    {
+      if (fate != Compat::CellFate::is_coarsened)
+        return {graph.index(cell)};
+      std::vector<unsigned int> children;
+      for (unsigned int c = 0; c < cell->n_children(); ++c)
+        children.push_back(graph.index(cell->child(c)));
+      return children;
+    }
   };
 } // namespace Thalweg
 

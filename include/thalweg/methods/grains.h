@@ -3,6 +3,7 @@
 #define thalweg_methods_grains_h
 
 #include <thalweg/dem/carried_grains.h>
+#include <thalweg/dem/points.h>
 #include <thalweg/methods/grain_budget.h>
 #include <thalweg/methods/grain_parameters.h>
 #include <thalweg/methods/method.h>
@@ -15,20 +16,6 @@
 
 namespace Thalweg
 {
-  inline Vec3
-  as_vec3(const dealii::Tensor<1, 2> &t)
-  {
-    return {t[0], t[1], 0.};
-  }
-
-  inline Vec3
-  as_vec3(const dealii::Tensor<1, 3> &t)
-  {
-    return {t[0], t[1], t[2]};
-  }
-
-
-
   /**
    * @brief Dry grains by the discrete element method: contacts are springs and
    * dashpots, and each grain moves by Newton's laws (Eq. 97-115 of seed 000).

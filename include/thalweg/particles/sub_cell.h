@@ -2,6 +2,9 @@
 #ifndef thalweg_particles_sub_cell_h
 #define thalweg_particles_sub_cell_h
 
+#include <thalweg/core/compat_weights.h>
+#include <thalweg/mesh/cell_graph.h>
+
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
 
@@ -64,6 +67,25 @@ namespace Thalweg
   {
     return dealii::GeometryInfo<dim>::child_to_cell_coordinates(reference,
                                                                 child);
+  }
+
+  /**
+   * @brief The owned cell where something is that came along with a cell, see
+   * Carried::unpack(): that cell, or one of its children.
+   * @param reference its coordinates, then in the cell that is returned
+   */
+  template <int dim, typename CellIterator>
+  unsigned int
+  find_cell_after(const CellGraph<dim>  &graph,
+                  const CellIterator    &cell,
+                  const Compat::CellFate fate,
+                  dealii::Point<dim>    &reference)
+  {
+    if (fate != Compat::CellFate::is_refined)
+      return graph.index(cell);
+    const unsigned int child = sub_cell<dim>(reference);
+    reference                = from_parent<dim>(reference, child);
+    return graph.index(cell->child(child));
   }
 } // namespace Thalweg
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_particles_cell_order_h
-#define thalweg_particles_cell_order_h
+#ifndef thalweg_mesh_cell_order_h
+#define thalweg_mesh_cell_order_h
 
 #include <deal.II/base/types.h>
 

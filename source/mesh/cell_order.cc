@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/particles/cell_order.h>
+#include <thalweg/mesh/cell_order.h>
 
 namespace Thalweg
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/core/errors.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/boundary_conditions.h>
+#include <thalweg/fields/boundary_entries.h>
 #include <thalweg/fields/expression.h>
 #include <thalweg/fields/uniform_inflow.h>
 
@@ -16,48 +16,6 @@ namespace Thalweg
   namespace
   {
     const std::string section_name = "Boundary conditions";
-
-    /// Splits 'left: 1; 0 | top: 2; 0' into names and expressions.
-    std::vector<std::pair<std::string, std::string>>
-    split_expressions(const std::string &text, const std::string &where)
-    {
-      std::vector<std::pair<std::string, std::string>> result;
-      for (const std::string &entry :
-           dealii::Utilities::split_string_list(text, '|'))
-        {
-          if (entry.empty())
-            continue;
-          const auto colon = entry.find(':');
-          AssertThrow(colon != std::string::npos,
-                      dealii::ExcMessage(
-                        "'" + entry + "' in '" + section_name + "/" + where +
-                        "' has no colon between the boundary's name and the "
-                        "expression."));
-          result.emplace_back(dealii::Utilities::trim(entry.substr(0, colon)),
-                              dealii::Utilities::trim(entry.substr(colon + 1)));
-        }
-      return result;
-    }
-
-
-
-    /// The boundary that a condition names.
-    template <int dim>
-    dealii::types::boundary_id
-    id_of(const Mesh<dim> &mesh, const std::string &name)
-    {
-      try
-        {
-          return mesh.boundary_id(name);
-        }
-      catch (const dealii::ExcMessage &exception)
-        {
-          throw dealii::ExcMessage(message_of(exception) + " See '" +
-                                   section_name + "'.");
-        }
-    }
-
-
 
     /// Splits 'left: y-1, top: air' or 'left: max(y,1) | top: air' into its
     /// entries; commas within parentheses belong to expressions.
@@ -177,7 +135,7 @@ namespace Thalweg
     for (const std::string &name : parameters.slip)
       set(mesh, name, {BoundaryKind::slip, nullptr, "", nullptr});
     for (const auto &[name, text] :
-         split_expressions(parameters.velocity, "Velocity"))
+         split_by_boundary(parameters.velocity, section_name + "/Velocity"))
       set(mesh,
           name,
           {BoundaryKind::velocity,
@@ -185,7 +143,8 @@ namespace Thalweg
            "",
            nullptr,
            mentions_time(text)});
-    for (const auto &[name, text] : split_expressions(parameters.open, "Open"))
+    for (const auto &[name, text] :
+         split_by_boundary(parameters.open, section_name + "/Open"))
       set(mesh,
           name,
           {BoundaryKind::open,
@@ -205,7 +164,8 @@ namespace Thalweg
   BoundaryConditions<dim>::set_flow_rates(const std::string &text,
                                           const Mesh<dim>   &mesh)
   {
-    for (const auto &[name, expression] : split_expressions(text, "Flow rate"))
+    for (const auto &[name, expression] :
+         split_by_boundary(text, section_name + "/Flow rate"))
       {
         constexpr double closed = 1e-6;
         auto             rate =
@@ -217,8 +177,12 @@ namespace Thalweg
                       "' is that of the whole boundary: it may depend on t, "
                       "but not on x, y or z as '" +
                       expression + "' does. For a profile write 'Velocity'."));
-        const auto area = vector_area(mesh, id_of(mesh, name));
-        AssertThrow(area.norm() > closed * scalar_area(mesh, id_of(mesh, name)),
+        const auto area =
+          vector_area(mesh, find_boundary(mesh, name, section_name));
+        AssertThrow(area.norm() >
+                      closed *
+                        scalar_area(mesh,
+                                    find_boundary(mesh, name, section_name)),
                     dealii::ExcMessage(
                       "The boundary '" + name +
                       "' is closed in itself, so that its 'Flow rate' has no "
@@ -253,7 +217,8 @@ namespace Thalweg
           dealii::Utilities::trim(entry.substr(0, colon));
         const std::string value =
           dealii::Utilities::trim(entry.substr(colon + 1));
-        const auto condition = conditions.find(id_of(mesh, name));
+        const auto condition =
+          conditions.find(find_boundary(mesh, name, section_name));
         AssertThrow(condition != conditions.end() &&
                       condition->second.function != nullptr,
                     dealii::ExcMessage(
@@ -276,13 +241,7 @@ namespace Thalweg
   {
     for (const auto &[name, id] : mesh.boundary_names())
       {
-        const bool is_periodic =
-          std::any_of(mesh.periodic_pairs().begin(),
-                      mesh.periodic_pairs().end(),
-                      [id = id](const auto &pair) {
-                        return pair.first == id || pair.second == id;
-                      });
-        if (is_periodic || conditions.count(id) > 0)
+        if (is_periodic(mesh, id) || conditions.count(id) > 0)
           continue;
         AssertThrow(otherwise != "fault",
                     dealii::ExcMessage("The boundary '" + name +
@@ -301,13 +260,12 @@ namespace Thalweg
                                const std::string &name,
                                Condition          condition)
   {
-    const auto id = id_of(mesh, name);
-    for (const auto &pair : mesh.periodic_pairs())
-      AssertThrow(pair.first != id && pair.second != id,
-                  dealii::ExcMessage("The boundary '" + name +
-                                     "' is periodic and can have no condition "
-                                     "in '" +
-                                     section_name + "'."));
+    const auto id = find_boundary(mesh, name, section_name);
+    AssertThrow(!is_periodic(mesh, id),
+                dealii::ExcMessage("The boundary '" + name +
+                                   "' is periodic and can have no condition "
+                                   "in '" +
+                                   section_name + "'."));
     AssertThrow(conditions.count(id) == 0,
                 dealii::ExcMessage("The boundary '" + name +
                                    "' has two conditions in '" + section_name +

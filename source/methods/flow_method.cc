@@ -78,7 +78,8 @@ namespace Thalweg
                        parameters.fluids,
                        outline.fills_domain,
                        parameters.has_spray()});
-    outline.offered.add(name, "streamlines");
+    for (const char *thing : {"streamlines", "particles", "medium"})
+      outline.offered.add(name, thing);
     if (parameters.computes_flow)
       outline.offered.add(name, FlowTerms<dim>::port);
   }
@@ -112,6 +113,7 @@ namespace Thalweg
   FlowMethod<dim>::release()
   {
     release_fields();
+    medium.reset();
     parts.reset();
     flow.reset();
   }
@@ -123,7 +125,9 @@ namespace Thalweg
   FlowMethod<dim>::attach()
   {
     flow->build();
-    parts = std::make_unique<Parts<dim>>(flow->parts());
+    parts  = std::make_unique<Parts<dim>>(flow->parts());
+    medium = std::make_unique<Medium<dim>>(
+      Medium<dim>{parts->space, parts->fluids, parts->phase, parts->boundary});
     attach_fields();
   }
 
@@ -134,6 +138,7 @@ namespace Thalweg
   FlowMethod<dim>::offer(Ports &ports) const
   {
     ports.offer<const Streamlines<dim>>(name, "streamlines", *this);
+    ports.offer<const Medium<dim>>(name, "medium", *medium);
     if (parameters.computes_flow)
       ports.offer<FlowTerms<dim>>(name, FlowTerms<dim>::port, parts->terms);
   }

@@ -222,10 +222,11 @@ namespace Thalweg
 
   template <int dim>
   unsigned int
-  InterfaceFlow<dim>::add_property(const std::string &name)
+  InterfaceFlow<dim>::add_property(const std::string      &name,
+                                   const InflowValue<dim> &inflow)
   {
     dispersed_.add_property(name);
-    return population.add_property(name);
+    return population.add_property(name, inflow);
   }
 
 

@@ -225,12 +225,12 @@ namespace Thalweg
   template <int dim>
   void
   BoundaryExchange<dim>::fill_particles(
+    const Population<dim>         &population,
     const unsigned int             number,
     const unsigned int             fluid,
     const double                   passed,
     const CellVelocity<dim>       &cell_velocity,
     const double                   dt,
-    const unsigned int             row_length,
     std::vector<NewParticle<dim>> &particles)
   {
     const auto        &face  = boundary.passable_faces()[number];
@@ -265,7 +265,8 @@ namespace Thalweg
               face.cell,
               before_face<dim>(face, square, per_d, .5 / per_d),
               time,
-              std::vector<double>(row_length, Population<dim>::unknown)};
+              std::vector<double>(population.row_length(),
+                                  Population<dim>::unknown)};
             const auto on_face = before_face<dim>(face, square, per_d, 0.);
             const auto values =
               Q1::value<dim, dim>(cell_velocity[face.cell], on_face);
@@ -283,6 +284,12 @@ namespace Thalweg
                                              : -value);
             particle.properties[Population<dim>::fluid_offset]  = fluid;
             particle.properties[Population<dim>::volume_offset] = volume;
+            population.set_inflow(
+              particle.properties,
+              face.id,
+              Q1::position<dim>(space.mesh().graph().cell(face.cell).vertices,
+                                on_face),
+              time);
             particles.push_back(particle);
           }
       }
@@ -316,13 +323,8 @@ namespace Thalweg
         {
           accounts[i].waiting[f] += fluxes[i].in[f];
           counted.boundaries[faces[i].id].in[f] += fluxes[i].in[f];
-          fill_particles(i,
-                         f,
-                         fluxes[i].in[f],
-                         cell_velocity,
-                         dt,
-                         population.row_length(),
-                         particles);
+          fill_particles(
+            population, i, f, fluxes[i].in[f], cell_velocity, dt, particles);
         }
     unsigned int n_new = 0;
     if (!counted.boundaries.empty())

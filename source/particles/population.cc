@@ -20,7 +20,8 @@ namespace Thalweg
 
   template <int dim>
   unsigned int
-  Population<dim>::add_property(const std::string &name)
+  Population<dim>::add_property(const std::string      &name,
+                                const InflowValue<dim> &inflow)
   {
     Assert(rows.size() == 0,
            dealii::ExcMessage("Properties are added before particles."));
@@ -29,6 +30,7 @@ namespace Thalweg
                                    "' already: give one of the two another "
                                    "name."));
     names.push_back(name);
+    inflow_values.push_back(inflow);
     rows = ParticleRows<dim>(rows.n_properties() + 1);
     return rows.n_properties() - 1;
   }

@@ -303,6 +303,14 @@ namespace Thalweg
                   row.begin() + Population<dim>::velocity_offset);
         Population<dim>::set_level_set(row, level_set_value(feet[i]));
         row[Population<dim>::volume_offset] = 0.;
+        std::fill(row.begin() + Population<dim>::n_properties,
+                  row.end(),
+                  Population<dim>::unknown);
+        if (feet[i].boundary != dealii::numbers::invalid_boundary_id)
+          population.set_inflow(row,
+                                feet[i].boundary,
+                                feet[i].position,
+                                feet[i].way);
         filling.append(population.next_id(),
                        {Q1::position<dim>(graph.cell(holes.cells[i]).vertices,
                                           reference),

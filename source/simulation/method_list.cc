@@ -128,17 +128,26 @@ namespace Thalweg
 
   template <int dim>
   void
-  MethodList<dim>::check_needs(const Offers             &offers,
-                               std::vector<std::string> &faults) const
+  MethodList<dim>::check_on_outline(const RunOutline<dim>    &outline,
+                                    std::vector<std::string> &faults) const
   {
     for (const Entry &entry : used())
-      for (const Need &need : entry.method->needs())
-        collect_fault(faults, [&]() {
-          offers.check(need,
-                       entry.name.empty()
-                         ? "'Method/Model = " + single.model_name() + "'"
-                         : "'Methods/" + entry.name + "'");
-        });
+      {
+        const std::size_t before = faults.size();
+        for (const Need &need : entry.method->needs())
+          collect_fault(faults, [&]() {
+            outline.offered.check(need,
+                                  entry.name.empty()
+                                    ? "'Method/Model = " + single.model_name() +
+                                        "'"
+                                    : "'Methods/" + entry.name + "'");
+          });
+        std::vector<std::string> own;
+        // Without what it needs there is nothing to look at.
+        if (faults.size() == before)
+          entry.method->check_on_outline(outline, own);
+        append(own, entry.prefix(), faults);
+      }
   }
 
 

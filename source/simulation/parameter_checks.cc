@@ -132,7 +132,7 @@ namespace Thalweg
     methods.check_on_mesh(coarse, faults);
     const RunOutline<dim> outline =
       methods.outline(coarse, has_flat_cells(coarse));
-    methods.check_needs(outline.offered, faults);
+    methods.check_on_outline(outline, faults);
     couplings.check_needs(methods.names_of_used(), outline.offered, faults);
     collect_fault(faults, [&]() { adaptive.check(outline); });
     for (std::size_t i = 0; i < postprocessors.chosen().size(); ++i)

@@ -259,7 +259,14 @@ namespace Thalweg
                              const double dt,
                              Statistics  &statistics) const
   {
-    for (const Stage &stage : stages())
+    const std::vector<Stage> all = stages();
+    for (const Stage &stage : all)
+      if (stage.method != nullptr)
+        {
+          const Statistics::Group group(statistics, stage.name);
+          stage.method->begin_step(time, dt);
+        }
+    for (const Stage &stage : all)
       {
         const Statistics::Group group(statistics, stage.name);
         if (stage.coupling != nullptr)

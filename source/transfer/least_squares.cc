@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/negligible_weight.h>
+#include <thalweg/transfer/node_targets.h>
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
 
@@ -18,18 +19,6 @@ namespace Thalweg
     /// The square of a misfit that is nothing but round-off, in parts of the
     /// square of what is fitted.
     constexpr double round_off = 1e-12;
-
-
-
-    /// A node that a cell's particles speak to: its weight is a combination
-    /// of the shape functions of the cell's vertices.
-    template <int dim>
-    struct Target
-    {
-      unsigned int                   node;
-      dealii::Point<dim>             position;
-      std::array<double, (1 << dim)> coefficients;
-    };
 
 
 
@@ -170,74 +159,24 @@ namespace Thalweg
 
     /// Adds the particles of a cell to the nodes around them.
     void
-    accumulate(const Population<dim>    &population,
-               const NodeSpace<dim>     &space,
-               const unsigned int        cell,
-               const double              length,
-               std::vector<Target<dim>> &targets,
-               NodalMoments             &nodal) const;
-
-    static void
-    find_targets(const NodeSpace<dim>     &space,
-                 const unsigned int        cell,
-                 std::vector<Target<dim>> &targets);
+    accumulate(const Population<dim>        &population,
+               const NodeSpace<dim>         &space,
+               const unsigned int            cell,
+               const double                  length,
+               std::vector<NodeTarget<dim>> &targets,
+               NodalMoments                 &nodal) const;
   };
 
 
 
   template <int dim>
   void
-  LeastSquares<dim>::find_targets(const NodeSpace<dim>     &space,
-                                  const unsigned int        cell,
-                                  std::vector<Target<dim>> &targets)
-  {
-    const auto &geometry = space.mesh().graph().cell(cell);
-    const auto &nodes    = space.nodes(cell);
-    const auto  add      = [&targets, &geometry](const unsigned int        node,
-                                           const dealii::Point<dim> &position,
-                                           const unsigned int        vertex,
-                                           const double              weight) {
-      for (Target<dim> &target : targets)
-        if (target.node == node && (target.position - position).norm() <=
-                                     1e-6 * geometry.extent.norm())
-          {
-            target.coefficients[vertex] += weight;
-            return;
-          }
-      Target<dim> target{node, position, {}};
-      target.coefficients[vertex] = weight;
-      targets.push_back(target);
-    };
-    targets.clear();
-    for (unsigned int v = 0; v < nodes.size(); ++v)
-      {
-        const auto hanging = space.hanging_masters(nodes[v]);
-        if (hanging.first == hanging.second)
-          add(nodes[v], geometry.vertices[v], v, 1.);
-        for (unsigned int k = hanging.first; k < hanging.second; ++k)
-          {
-            const auto &entry    = space.dependences().all()[k];
-            auto        position = space.position(entry.master);
-            // The nearest image of a master behind a periodic boundary.
-            for (const auto &offset : space.mesh().graph().periodic_offsets())
-              if ((position + offset).distance(geometry.vertices[v]) <
-                  position.distance(geometry.vertices[v]))
-                position += offset;
-            add(entry.master, position, v, entry.weight);
-          }
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  LeastSquares<dim>::accumulate(const Population<dim>    &population,
-                                const NodeSpace<dim>     &space,
-                                const unsigned int        cell,
-                                const double              length,
-                                std::vector<Target<dim>> &targets,
-                                NodalMoments             &nodal) const
+  LeastSquares<dim>::accumulate(const Population<dim>        &population,
+                                const NodeSpace<dim>         &space,
+                                const unsigned int            cell,
+                                const double                  length,
+                                std::vector<NodeTarget<dim>> &targets,
+                                NodalMoments                 &nodal) const
   {
     const CellGraph<dim> &graph   = space.mesh().graph();
     const auto           &nodes   = space.nodes(cell);
@@ -249,7 +188,7 @@ namespace Thalweg
         return masters.first != masters.second;
       });
     if (is_hanging)
-      find_targets(space, cell, targets);
+      find_node_targets(space, cell, targets);
 
     std::array<Moments<dim>, (1 << dim)> moments;
     for (const auto &particle : population.in_cell(cell))
@@ -266,12 +205,9 @@ namespace Thalweg
                            phi,
                            cut_off);
         else
-          for (const Target<dim> &target : targets)
+          for (const NodeTarget<dim> &target : targets)
             {
-              double weight = 0;
-              for (unsigned int v = 0; v < shape.size(); ++v)
-                weight += target.coefficients[v] * shape[v];
-              nodal[target.node].add(weight,
+              nodal[target.node].add(target.weight(shape),
                                      (x - target.position) * inverse,
                                      phi,
                                      cut_off);
@@ -302,8 +238,8 @@ namespace Thalweg
     const unsigned int n_owned = level_set.locally_owned_size();
     const unsigned int n_nodes =
       n_owned + level_set.get_partitioner()->n_ghost_indices();
-    NodalMoments             nodal(n_nodes);
-    std::vector<Target<dim>> targets;
+    NodalMoments                 nodal(n_nodes);
+    std::vector<NodeTarget<dim>> targets;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       accumulate(population, space, c, length, targets, nodal);
 

@@ -2,6 +2,7 @@
 #ifndef thalweg_fields_boundary_nodes_h
 #define thalweg_fields_boundary_nodes_h
 
+#include <thalweg/fields/boundary_faces.h>
 #include <thalweg/fields/fixed_nodes.h>
 #include <thalweg/fields/node_space.h>
 
@@ -57,19 +58,7 @@ namespace Thalweg
     void
     add_flux(const Vector &field, const double factor, Vector &scalar) const;
 
-    /// A face at the boundary, with two to eight points for integrals.
-    struct Face
-    {
-      unsigned int                        cell;
-      unsigned int                        face_no;
-      dealii::types::boundary_id          id;
-      std::vector<dealii::Point<dim>>     reference_points;
-      std::vector<dealii::Tensor<1, dim>> normals_times_weight; ///< outward
-
-      /// The outward normal times the face's measure, m^(dim-1).
-      dealii::Tensor<1, dim>
-      area() const;
-    };
+    using Face = BoundaryFace<dim>;
 
     /// The faces of locally owned cells at boundaries where fluid can pass.
     const std::vector<Face> &

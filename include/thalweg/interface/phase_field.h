@@ -119,6 +119,13 @@ namespace Thalweg
       return fluids[fluid_of_cell[cell]];
     }
 
+    /// Its number.
+    unsigned int
+    fluid_number(const unsigned int cell) const
+    {
+      return fluid_of_cell[cell];
+    }
+
     /// Volume of fluid 0 in the projected level set, before it was made a
     /// distance and shifted, m^dim.
     double

@@ -4,6 +4,7 @@
 
 #include <thalweg/methods/flow_step_numbers.h>
 #include <thalweg/methods/interface_flow.h>
+#include <thalweg/methods/medium.h>
 #include <thalweg/methods/method.h>
 #include <thalweg/particles/particle_host.h>
 #include <thalweg/particles/streamlines.h>
@@ -66,9 +67,9 @@ namespace Thalweg
     streamlines() const final;
 
     unsigned int
-    add_property(const std::string &name) final
+    add_property(const std::string &name, const InflowValue<dim> &inflow) final
     {
-      return flow->add_property(name);
+      return flow->add_property(name, inflow);
     }
 
     Population<dim> &
@@ -170,6 +171,7 @@ namespace Thalweg
     std::unique_ptr<Parts<dim>> parts;
 
   private:
+    std::unique_ptr<Medium<dim>>        medium;
     FlowParameters<dim>                 parameters;
     std::string                         name;
     std::unique_ptr<InterfaceFlow<dim>> flow;

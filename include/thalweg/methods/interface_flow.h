@@ -48,7 +48,7 @@ namespace Thalweg
     /// Lets particles, drops and bubbles carry one value more, see
     /// ParticleHost.
     unsigned int
-    add_property(const std::string &name);
+    add_property(const std::string &name, const InflowValue<dim> &inflow);
 
     Population<dim> &
     particles()

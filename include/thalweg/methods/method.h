@@ -50,6 +50,11 @@ namespace Thalweg
     check_on_mesh(const Mesh<dim> &, std::vector<std::string> &) const
     {}
 
+    /// The same for what is seen when all methods have been outlined.
+    virtual void
+    check_on_outline(const RunOutline<dim> &, std::vector<std::string> &) const
+    {}
+
     /// What it needs of other methods.
     virtual std::vector<Need>
     needs() const
@@ -151,6 +156,13 @@ namespace Thalweg
     {
       return 1;
     }
+
+    /// Called once a step for all methods, before the first of them advances:
+    /// what has to be done before what carries the method's things moves.
+    /// Collective. @throws StepFailure
+    virtual void
+    begin_step(const double, const double)
+    {}
 
     /// From @p time to @p time + @p dt, in s. @throws StepFailure
     virtual void

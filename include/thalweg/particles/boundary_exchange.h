@@ -101,14 +101,14 @@ namespace Thalweg
 
     /// Makes particles of what waits at a face, a row as it comes in.
     /// @param passed what of it came in during the step, m^dim
-    /// @param row_length of their properties
+    /// @param population that they are for
     void
-    fill_particles(const unsigned int             face,
+    fill_particles(const Population<dim>         &population,
+                   const unsigned int             face,
                    const unsigned int             fluid,
                    const double                   passed,
                    const CellVelocity<dim>       &cell_velocity,
                    const double                   dt,
-                   const unsigned int             row_length,
                    std::vector<NewParticle<dim>> &particles);
 
     const NodeSpace<dim>            &space;

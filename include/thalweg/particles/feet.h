@@ -34,6 +34,7 @@ namespace Thalweg
   {
     unsigned int               index;
     dealii::types::boundary_id boundary;
+    double                     way; ///< s
     std::array<double, dim>    position;
     Sight<dim>                 sight;
   };
@@ -49,6 +50,7 @@ namespace Thalweg
     foot.velocity  = answer.sight.velocity;
     foot.level_set = answer.sight.level_set;
     foot.boundary  = answer.boundary;
+    foot.way       = answer.way;
     foot.found     = found;
     return foot;
   }
@@ -88,6 +90,7 @@ namespace Thalweg
       answer.boundary = walker.fate == Fate::left
                           ? walker.boundary
                           : dealii::numbers::invalid_boundary_id;
+      answer.way      = dt - walker.time;
       for (unsigned int d = 0; d < dim; ++d)
         answer.position[d] = position[d];
       answer.sight = look(walker);

@@ -23,10 +23,11 @@ namespace Thalweg
   public:
     virtual ~ParticleHost() = default;
 
-    /// Before there are particles. @return its place in the properties of a
-    /// particle. @throws dealii::ExcMessage if there is one of that name
+    /// Before there are particles. @param inflow what comes in has of it.
+    /// @return its place in the properties of a particle.
+    /// @throws dealii::ExcMessage if there is one of that name
     virtual unsigned int
-    add_property(const std::string &name) = 0;
+    add_property(const std::string &name, const InflowValue<dim> &inflow) = 0;
 
     virtual Population<dim> &
     population() = 0;

@@ -7,12 +7,23 @@
 #include <thalweg/particles/particle_rows.h>
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
+  /**
+   * @brief What a particle that comes in through a boundary has of an added
+   * property: of the boundary, the place where it does, and how long before
+   * the end of the step, s. Empty, or Population::unknown: it is not known.
+   */
+  template <int dim>
+  using InflowValue = std::function<double(const dealii::types::boundary_id,
+                                           const dealii::Point<dim> &,
+                                           const double)>;
+
   /**
    * @brief The particles of this rank's cells, and what each of them carries:
    * flat memory in the order of the owned cells of the CellGraph.
@@ -47,11 +58,27 @@ namespace Thalweg
 
     /**
      * @brief Lets particles carry one value more, before there are any.
+     * @param inflow what comes in has of it
      * @return its place in the row of a particle's properties
      * @throws dealii::ExcMessage if there is one of that name
      */
     unsigned int
-    add_property(const std::string &name);
+    add_property(const std::string &name, const InflowValue<dim> &inflow = {});
+
+    /// Gives the row of a particle that comes in through a boundary, see
+    /// InflowValue, what it has of added properties.
+    template <typename Properties>
+    void
+    set_inflow(Properties                     &&properties,
+               const dealii::types::boundary_id boundary,
+               const dealii::Point<dim>        &place,
+               const double                     before_end) const
+    {
+      for (unsigned int k = 0; k < inflow_values.size(); ++k)
+        if (inflow_values[k])
+          properties[n_properties + k] =
+            inflow_values[k](boundary, place, before_end);
+    }
 
     /// The names of those that were added.
     const std::vector<std::string> &
@@ -225,12 +252,13 @@ namespace Thalweg
       return cell < begin.size() ? begin[cell] : rows.size();
     }
 
-    const Mesh<dim>          &mesh_;
-    std::vector<std::string>  names;
-    ParticleRows<dim>         rows, spare;
-    std::vector<unsigned int> begin;
-    ParticleId                first_id  = 0;
-    ParticleId                n_created = 0;
+    const Mesh<dim>              &mesh_;
+    std::vector<std::string>      names;
+    std::vector<InflowValue<dim>> inflow_values;
+    ParticleRows<dim>             rows, spare;
+    std::vector<unsigned int>     begin;
+    ParticleId                    first_id  = 0;
+    ParticleId                    n_created = 0;
   };
 } // namespace Thalweg
 

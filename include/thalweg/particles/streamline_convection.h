@@ -96,6 +96,8 @@ namespace Thalweg
     /// The open boundary through which the streamline came in, otherwise
     /// dealii::numbers::invalid_boundary_id.
     dealii::types::boundary_id boundary;
+    /// How long it takes from there to the head, s.
+    double way;
     /// Whether the foot was found; if not, position, velocity and level set
     /// are those of the head.
     bool found;

@@ -67,9 +67,11 @@ namespace Thalweg
     check_on_mesh(const Mesh<dim>          &coarse,
                   std::vector<std::string> &faults) const;
 
-    /// That they offer what they need of each other.
+    /// That they offer what they need of each other, and what is seen when
+    /// all are known.
     void
-    check_needs(const Offers &offers, std::vector<std::string> &faults) const;
+    check_on_outline(const RunOutline<dim>    &outline,
+                     std::vector<std::string> &faults) const;
 
     std::vector<std::string>
     warnings(const Mesh<dim> &coarse, const double n_cells) const;

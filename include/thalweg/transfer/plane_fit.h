@@ -50,6 +50,14 @@ namespace Thalweg
       return determined;
     }
 
+    /// The variance of the first unknown if the values have unit variance in
+    /// proportion to the inverse of their weights.
+    double
+    variance_of_first() const
+    {
+      return 1. / (factor[0][0] * factor[0][0]);
+    }
+
     /// What a fit gives.
     struct Result
     {

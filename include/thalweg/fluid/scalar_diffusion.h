@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_fluid_scalar_diffusion_h
+#define thalweg_fluid_scalar_diffusion_h
+
+#include <thalweg/fields/boundary_faces.h>
+#include <thalweg/fields/scalar_conditions.h>
+#include <thalweg/fluid/scalar_operator.h>
+#include <thalweg/linear_algebra/krylov.h>
+
+#include <map>
+#include <vector>
+
+namespace Thalweg
+{
+  /// What a scalar was given, in its unit times the capacity's times m^dim.
+  struct ScalarSupply
+  {
+    std::map<dealii::types::boundary_id, double> through; ///< boundaries
+    double                                       source = 0.;
+
+    double
+    total() const;
+  };
+
+  /**
+   * @brief C ds/dt = div(k grad s) + f with conditions at boundaries, on the
+   * mesh, from one time to another.
+   *
+   * Two implicit stages (the SDIRK method of second order with gamma = 1 -
+   * 1/sqrt(2); R. Alexander, SIAM J. Numer. Anal. 14, 1977, p. 1006): what is
+   * rough is damped as by the implicit Euler method. Values that are given at
+   * boundaries go to those at the end in a straight line.
+   */
+  template <int dim>
+  class ScalarDiffusion
+  {
+  public:
+    /**
+     * @param space, conditions must outlive the object
+     * @param source amount a volume and second, or nullptr; likewise
+     * @param tolerance of the solver, a part of the first residual
+     */
+    ScalarDiffusion(const NodeSpace<dim>  &space,
+                    ScalarConditions<dim> &conditions,
+                    dealii::Function<dim> *source,
+                    const double           tolerance);
+
+    /// See ScalarOperator::update().
+    void
+    update(const PhaseField<dim>                        &phase,
+           const typename ScalarOperator<dim>::Material &capacity,
+           const typename ScalarOperator<dim>::Material &conductivity);
+
+    /**
+     * @brief Advances a scalar by @p dt, s. Collective.
+     * @param scalar ghosted and consistent, in and out
+     * @param time at which that begins, s
+     * @param supply gets what comes in, of this rank
+     * @return iterations of the solver. @throws StepFailure
+     */
+    unsigned int
+    advance(Vector       &scalar,
+            const double  time,
+            const double  dt,
+            ScalarSupply &supply);
+
+    /// Sets given nodes to their values at @p time, s. Collective.
+    void
+    set_given(Vector &scalar, const double time) const;
+
+    /// What there is of a scalar. Collective.
+    double
+    content(const Vector &scalar) const;
+
+    /// Lumped capacities, see ScalarOperator.
+    const Vector &
+    capacity() const
+    {
+      return matrix.capacity();
+    }
+
+    /**
+     * @brief What diffuses out of the domain at each node of a boundary in a
+     * second for each unit of its measure, at nodes where the value is given;
+     * for pictures and tables. Collective.
+     * @param scalar at @p time, ghosted and consistent
+     * @return by boundary, of this rank: fluxes and the measures that belong
+     *   to them
+     */
+    std::map<dealii::types::boundary_id, std::vector<std::pair<double, double>>>
+    fluxes(const Vector &scalar, const double time);
+
+  private:
+    /// A node where the value is given.
+    struct GivenNode
+    {
+      unsigned int       node;
+      dealii::Point<dim> position;
+      /// The boundaries that give it, with the measures they have there.
+      std::map<dealii::types::boundary_id, double> measures;
+    };
+
+    void
+    collect_given_nodes();
+
+    /// Calls @p visit(node, boundary, amount a second, rate a second and unit
+    /// of the scalar) for what faces supply to nodes of owned cells.
+    template <typename Visitor>
+    void
+    for_each_supply(const Visitor &visit) const;
+
+    /// Finds load and exchange at @p time.
+    void
+    find_load(const double time);
+
+    /**
+     * @brief One implicit stage of @p tau, s, to @p time.
+     * @param scalar from where it starts; afterwards what it comes to
+     * @param given to what given nodes come, one a GivenNode
+     * @param weight with which its rate counts, s
+     */
+    unsigned int
+    make_stage(Vector                    &scalar,
+               const double               time,
+               const double               tau,
+               const std::vector<double> &given,
+               const double               weight,
+               ScalarSupply              &supply);
+
+    /// Counts what a stage has supplied. @param rate of the scalar, per s
+    void
+    count(const Vector &scalar,
+          const Vector &rate,
+          const double  weight,
+          ScalarSupply &supply);
+
+    const NodeSpace<dim>          &space;
+    ScalarConditions<dim>         &conditions;
+    dealii::Function<dim>         *source;
+    const double                   tolerance;
+    ScalarOperator<dim>            matrix;
+    std::vector<BoundaryFace<dim>> faces; ///< with flux or exchange
+    std::vector<GivenNode>         given_nodes;
+    std::vector<bool>              is_given;
+    Vector                         load, exchange, source_load;
+    Vector                         residual, increment, before;
+  };
+} // namespace Thalweg
+
+#endif

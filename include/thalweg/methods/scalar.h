@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef thalweg_methods_scalar_h
+#define thalweg_methods_scalar_h
+
+#include <thalweg/fluid/scalar_diffusion.h>
+#include <thalweg/fluid/scalar_view.h>
+#include <thalweg/methods/medium.h>
+#include <thalweg/methods/method.h>
+#include <thalweg/methods/scalar_parameters.h>
+#include <thalweg/particles/particle_host.h>
+#include <thalweg/transfer/scalar_projection.h>
+
+#include <deal.II/base/function.h>
+
+#include <memory>
+#include <string>
+
+namespace Thalweg
+{
+  /**
+   * @brief A scalar, temperature or salt, that the particles of a flow carry,
+   * each its own value, and that diffuses on the mesh.
+   *
+   * A step in two halves around the motion of the particles (G. Strang, SIAM
+   * J. Numer. Anal. 5, 1968, p. 506), so that it is of second order in time
+   * at any Courant number:
+   *
+   * 1. on the mesh it diffuses for half of the step, of which the particles
+   *    take the increment,
+   * 2. they move, and their values are projected to the mesh,
+   * 3. there it diffuses for the other half, of which they take the increment.
+   */
+  template <int dim>
+  class Scalar : public Method<dim>
+  {
+  public:
+    void
+    declare_parameters(const Section &section) override
+    {
+      parameters.declare(section);
+    }
+
+    void
+    declare_sections(const Section &) override
+    {}
+
+    void
+    check(std::vector<std::string> &faults) const override
+    {
+      parameters.template check<dim>(faults);
+    }
+
+    void
+    check_on_mesh(const Mesh<dim>          &coarse,
+                  std::vector<std::string> &faults) const override;
+
+    void
+    check_on_outline(const RunOutline<dim>    &outline,
+                     std::vector<std::string> &faults) const override;
+
+    void
+    publish(const std::string &name, RunOutline<dim> &outline) const override
+    {
+      outline.offered.add(name, "scalars");
+    }
+
+    using Method<dim>::publish;
+
+    std::vector<Need>
+    needs() const override
+    {
+      return {{parameters.carrier, "particles"},
+              {parameters.carrier, "medium"}};
+    }
+
+    void
+    create(const Host<dim> &host) override;
+
+    void
+    release() override;
+
+    void
+    attach() override;
+
+    void
+    offer(Ports &ports) const override
+    {
+      ports.offer<const ScalarView<dim>>(host->name, "scalars", *view);
+    }
+
+    void
+    initialize() override;
+
+    void
+    keep(const State<dim> &state) override;
+
+    void
+    update() override
+    {
+      update_operator();
+    }
+
+    void
+    repopulate() override
+    {
+      fill_unknown(view->field);
+    }
+
+    void
+    begin_step(const double time, const double dt) override;
+
+    void
+    advance(const double time, const double dt) override;
+
+    std::vector<std::string>
+    columns() const override;
+
+    void
+    record(const double time) override;
+
+    std::string
+    size() const override;
+
+    std::string
+    headline() const override;
+
+  private:
+    const Medium<dim> &
+    medium() const
+    {
+      return host->ports.template get<const Medium<dim>>(parameters.carrier,
+                                                         "medium",
+                                                         who());
+    }
+
+    /// "'Methods/temperature'"
+    std::string
+    who() const
+    {
+      return host->name.empty() ? "'Method/Model = scalar'"
+                                : "'Methods/" + host->name + "'";
+    }
+
+    /// What comes in through a boundary, see InflowValue.
+    double
+    inflow(const dealii::types::boundary_id id,
+           const dealii::Point<dim>        &place,
+           const double                     before_end) const;
+
+    /// Lets the scalar diffuse from @p time on for @p dt, s, and gives the
+    /// particles the increment.
+    void
+    diffuse(const double time, const double dt);
+
+    /// Adds the field less @p before to what particles carry.
+    void
+    add_increment(const Vector &before);
+
+    /// Gives particles that do not know the scalar what @p field says.
+    void
+    fill_unknown(const Vector &field);
+
+    /// What was projected, within the bounds of the particles and with the
+    /// values that are given at boundaries.
+    Vector
+    field_for_new_particles() const;
+
+    /// From the particles to the mesh; where nothing flows in or out what
+    /// there is of the scalar stays what it is.
+    void
+    project();
+
+    /// Gives the correction to the nodes, in proportion to how far they are
+    /// from the bounds of the particles around them.
+    void
+    give_back();
+
+    /// Says of the operator where the fluids are now.
+    void
+    update_operator();
+
+    ScalarParameters                       parameters;
+    std::unique_ptr<Host<dim>>             host;
+    std::unique_ptr<ScalarConditions<dim>> conditions;
+    std::unique_ptr<dealii::Function<dim>> source; ///< nullptr without one
+    Population<dim>                       *population = nullptr;
+    unsigned int                           property   = 0;
+    std::array<double, 2>                  capacity{}, conductivity{};
+    std::unique_ptr<ScalarView<dim>>       view;
+    std::unique_ptr<ScalarProjection<dim>> projection;
+    std::unique_ptr<ScalarDiffusion<dim>>  diffusion;
+    double                                 end_of_step = 0.; ///< s
+    unsigned int                           iterations  = 0;
+    double correction = 0.; ///< by the last projection, of the content
+    /// What there was at the start, came in, and was supplied since.
+    double at_start = 0., through = 0., supplied = 0.;
+  };
+} // namespace Thalweg
+
+#endif

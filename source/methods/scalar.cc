@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
+#include <thalweg/fields/expression.h>
+#include <thalweg/fields/interpolation.h>
+#include <thalweg/materials/fluid_values.h>
+#include <thalweg/methods/scalar.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Thalweg
+{
+  namespace
+  {
+    const std::string conditions_section = "Boundary conditions";
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::check_on_mesh(const Mesh<dim>          &coarse,
+                             std::vector<std::string> &faults) const
+  {
+    collect_fault(faults, [&]() {
+      ScalarConditions<dim>(parameters.conditions, coarse, conditions_section);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::check_on_outline(const RunOutline<dim>    &outline,
+                                std::vector<std::string> &faults) const
+  {
+    const Fluids &fluids = outline.flow(parameters.carrier).fluids;
+    collect_fault(faults, [&]() {
+      read_fluid_values(parameters.diffusivity, fluids, 0., "Diffusivity");
+    });
+    collect_fault(faults, [&]() {
+      read_fluid_values(parameters.capacity,
+                        fluids,
+                        std::numeric_limits<double>::min(),
+                        "Capacity");
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::create(const Host<dim> &host_)
+  {
+    host       = std::make_unique<Host<dim>>(host_);
+    conditions = std::make_unique<ScalarConditions<dim>>(parameters.conditions,
+                                                         host->mesh,
+                                                         conditions_section);
+    source.reset();
+    if (parameters.source != "0")
+      source = parse_expression<dim>(parameters.source, 1, "Source");
+    auto &particles =
+      host->ports.template get<ParticleHost<dim>>(parameters.carrier,
+                                                  "particles",
+                                                  who() +
+                                                    ", in 'Methods/Names' "
+                                                    "behind a flow,");
+    property =
+      particles.add_property(host->name.empty() ? "scalar" : host->name,
+                             [this](const dealii::types::boundary_id id,
+                                    const dealii::Point<dim>        &place,
+                                    const double before_end) {
+                               return inflow(id, place, before_end);
+                             });
+    population = &particles.population();
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::release()
+  {
+    diffusion.reset();
+    projection.reset();
+    view.reset();
+    population = nullptr;
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::attach()
+  {
+    const Medium<dim>    &medium = this->medium();
+    const NodeSpace<dim> &space  = medium.space;
+    view                         = std::make_unique<ScalarView<dim>>(
+      ScalarView<dim>{parameters.unit, space, {}});
+    space.initialize_scalar(view->field);
+    for (const auto &[name, id] : host->mesh.boundary_names())
+      if (conditions->at(id).kind == ScalarBoundary::value)
+        view->given[id] = name;
+    projection   = std::make_unique<ScalarProjection<dim>>(space);
+    diffusion    = std::make_unique<ScalarDiffusion<dim>>(space,
+                                                       *conditions,
+                                                       source.get(),
+                                                       parameters.tolerance);
+    capacity     = read_fluid_values(parameters.capacity,
+                                 medium.fluids,
+                                 std::numeric_limits<double>::min(),
+                                 "Capacity");
+    conductivity = read_fluid_values(parameters.diffusivity,
+                                     medium.fluids,
+                                     0.,
+                                     "Diffusivity");
+    for (unsigned int f = 0; f < 2; ++f)
+      conductivity[f] *= capacity[f];
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::initialize()
+  {
+    attach();
+    const auto function =
+      parse_expression<dim>(parameters.initial, 1, "Initial value");
+    for (const auto &particle : population->particles())
+      particle.properties()[property] = function->value(particle.position());
+    interpolate_function(view->space, *function, view->field);
+    update_operator();
+    at_start = diffusion->content(view->field);
+    through = supplied = correction = 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::keep(const State<dim> &state)
+  {
+    const Archive &values = state.values();
+    values.value("at start", at_start);
+    values.value("through", through);
+    values.value("supplied", supplied);
+    state.field("field", view->space, view->field, 1);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  Scalar<dim>::columns() const
+  {
+    return {"content",
+            "through boundaries",
+            "supplied",
+            "unaccounted",
+            "correction",
+            "least",
+            "greatest",
+            "least on the mesh",
+            "greatest on the mesh",
+            "diffusion iterations"};
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::record(const double time)
+  {
+    using dealii::Utilities::MPI::max;
+    using dealii::Utilities::MPI::min;
+    const MPI_Comm communicator = host->context.communicator;
+    double         least        = std::numeric_limits<double>::max();
+    double         greatest     = std::numeric_limits<double>::lowest();
+    const auto     include      = [&](const double value) {
+      least    = std::min(least, value);
+      greatest = std::max(greatest, value);
+    };
+    auto      &statistics = host->context.statistics;
+    const auto set        = [&](const std::string &where) {
+      statistics.set("least" + where, min(least, communicator));
+      statistics.set("greatest" + where, max(greatest, communicator));
+      least    = std::numeric_limits<double>::max();
+      greatest = std::numeric_limits<double>::lowest();
+    };
+    for (const auto &particle : std::as_const(*population).particles())
+      include(particle.properties()[property]);
+    set("");
+    for (unsigned int n = 0; n < view->space.n_owned_nodes(); ++n)
+      if (!view->space.is_dependent(n))
+        include(view->field.local_element(n));
+    set(" on the mesh");
+
+    const double content = diffusion->content(view->field);
+    statistics.set("content", content);
+    statistics.set("through boundaries", through);
+    statistics.set("supplied", supplied);
+    statistics.set("unaccounted", content - at_start - through - supplied);
+    statistics.set("correction", correction);
+    statistics.set("diffusion iterations", iterations);
+    view->fluxes = diffusion->fluxes(view->field, time);
+  }
+
+
+
+  template <int dim>
+  std::string
+  Scalar<dim>::size() const
+  {
+    return std::to_string(view->space.scalar().n_dofs()) + " nodes of a scalar";
+  }
+
+
+
+  template <int dim>
+  std::string
+  Scalar<dim>::headline() const
+  {
+    return "diffusion iterations = " + std::to_string(iterations);
+  }
+
+
+
+  template class Scalar<2>;
+  template class Scalar<3>;
+  THALWEG_REGISTER(Method,
+                   Scalar,
+                   "scalar",
+                   "temperature, salt and the like: carried by the particles "
+                   "of another method, each its own value, diffused on the "
+                   "mesh; one of several in `Methods/Names`")
+} // namespace Thalweg

@@ -24,60 +24,27 @@ namespace Thalweg
 
     /// Scalars on the mesh for ParaView.
     template <int dim>
-    class ScalarOutput : public Postprocessor<dim>
+    class ScalarOutput : public OfferedSeries<dim, const ScalarView<dim>>
     {
     public:
-      void
-      declare_parameters(const Section &section) override
-      {
-        schedule.declare_parameters(section, "files");
-      }
-
-      void
-      check(const RunOutline<dim> &outline) const override
-      {
-        check_offered(outline.offered,
-                      "scalars",
-                      "scalars",
-                      "temperature: scalar");
-      }
-
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
-      {
-        for (const auto &[name, scalar] : all_scalars(solution))
-          records[name].open(context, file_name_of(name, "scalar"));
-      }
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        const Moment &now = solution.moment;
-        if (!schedule.is_due(now.time, now.last_step))
-          return;
-        for (const auto &[name, scalar] : all_scalars(solution))
-          {
-            dealii::DataOut<dim> data;
-            data.add_data_vector(scalar->space.scalar(),
-                                 scalar->field,
-                                 file_name_of(name, "scalar"));
-            data.build_patches();
-            records.at(name).write(context, data, now.time, now.step);
-          }
-      }
-
-      void
-      keep(const State<dim> &state) override
-      {
-        schedule.keep(state.values());
-        for (auto &[name, record] : records)
-          record.keep(state.values().enter(name + ":"),
-                      schedule.was_due_for_the_end());
-      }
+      ScalarOutput()
+        : OfferedSeries<dim, const ScalarView<dim>>("scalars",
+                                                    "temperature: scalar")
+      {}
 
     private:
-      Schedule                         schedule{.05};
-      std::map<std::string, PvdRecord> records;
+      void
+      write(Context               &context,
+            const std::string     &name,
+            const ScalarView<dim> &scalar,
+            const Moment          &now,
+            PvdRecord             &record) const override
+      {
+        dealii::DataOut<dim> data;
+        data.add_data_vector(scalar.space.scalar(), scalar.field, name);
+        data.build_patches();
+        record.write(context, data, now.time, now.step);
+      }
     };
 
 

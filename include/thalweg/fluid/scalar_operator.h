@@ -4,6 +4,7 @@
 
 #include <thalweg/fields/q1_integrals.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/linear_algebra/jacobi.h>
 
 #include <array>
 #include <vector>
@@ -76,20 +77,7 @@ namespace Thalweg
     void
     vmult(Vector &result, const Vector &increment) const;
 
-    /// The inverse diagonal as a preconditioner.
-    struct Jacobi
-    {
-      Vector inverse_diagonal;
-
-      void
-      vmult(Vector &destination, const Vector &source) const
-      {
-        destination = source;
-        destination.scale(inverse_diagonal);
-      }
-    };
-
-    const Jacobi &
+    const Jacobi<Vector> &
     jacobi() const
     {
       return preconditioner;
@@ -113,7 +101,7 @@ namespace Thalweg
     Vector                                   diagonal; ///< of K
     Vector                                   shift;    ///< C/tau + H
     std::vector<bool>                        is_fixed;
-    Jacobi                                   preconditioner;
+    Jacobi<Vector>                           preconditioner;
     mutable Vector                           work;
   };
 } // namespace Thalweg

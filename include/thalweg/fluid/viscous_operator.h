@@ -5,6 +5,7 @@
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/q1_integrals.h>
 #include <thalweg/interface/phase_field.h>
+#include <thalweg/linear_algebra/jacobi.h>
 
 namespace Thalweg
 {
@@ -39,20 +40,7 @@ namespace Thalweg
     void
     vmult(Vector &destination, const Vector &source) const;
 
-    /// The inverse diagonal as a preconditioner.
-    struct Jacobi
-    {
-      Vector inverse_diagonal;
-
-      void
-      vmult(Vector &destination, const Vector &source) const
-      {
-        destination = source;
-        destination.scale(inverse_diagonal);
-      }
-    };
-
-    const Jacobi &
+    const Jacobi<Vector> &
     jacobi() const
     {
       return diagonal;
@@ -94,7 +82,7 @@ namespace Thalweg
     Q1::Gauss<dim>            gauss;
     const Vector             *mass = nullptr;
     double                    dt   = 1.;
-    Jacobi                    diagonal;
+    Jacobi<Vector>            diagonal;
     mutable Vector            work;
   };
 } // namespace Thalweg

@@ -57,16 +57,16 @@ namespace Thalweg
 
 
   /**
-   * @brief Points of all methods that offer a thing, for ParaView: a series of
+   * @brief What all methods offer under a name, for ParaView: a series of
    * files for each.
    * @tparam Offer as what it is offered
    */
   template <int dim, typename Offer>
-  class PointOutput : public Postprocessor<dim>
+  class OfferedSeries : public Postprocessor<dim>
   {
   public:
     /// See check_offered(); the model has the name of the thing.
-    PointOutput(const std::string &thing, const std::string &example)
+    OfferedSeries(const std::string &thing, const std::string &example)
       : thing(thing)
       , example(example)
     {}
@@ -94,13 +94,10 @@ namespace Thalweg
     execute(Context &context, const SolutionView<dim> &solution) override
     {
       const Moment &now = solution.moment;
-      if (!schedule.is_due(now.time, now.last_step))
-        return;
-      for (const auto &[name, offer] : offers(solution))
-        {
-          PointPatches<dim> patches = points(*offer, now.time);
-          records.at(name).write(context, patches, now.time, now.step);
-        }
+      if (schedule.is_due(now.time, now.last_step))
+        for (const auto &[name, offer] : offers(solution))
+          write(
+            context, file_name_of(name, thing), *offer, now, records.at(name));
     }
 
     void
@@ -113,9 +110,13 @@ namespace Thalweg
     }
 
   protected:
-    /// Those of this rank. @param time in s
-    virtual PointPatches<dim>
-    points(const Offer &offer, const double time) const = 0;
+    /// Writes what one method offers. Collective. @param name of its files
+    virtual void
+    write(Context           &context,
+          const std::string &name,
+          const Offer       &offer,
+          const Moment      &now,
+          PvdRecord         &record) const = 0;
 
   private:
     std::map<std::string, Offer *>
@@ -127,6 +128,33 @@ namespace Thalweg
     const std::string                thing, example;
     Schedule                         schedule{.05};
     std::map<std::string, PvdRecord> records;
+  };
+
+
+
+  /// The same of points.
+  template <int dim, typename Offer>
+  class PointOutput : public OfferedSeries<dim, Offer>
+  {
+  public:
+    using OfferedSeries<dim, Offer>::OfferedSeries;
+
+  protected:
+    /// Those of this rank. @param time in s
+    virtual PointPatches<dim>
+    points(const Offer &offer, const double time) const = 0;
+
+  private:
+    void
+    write(Context &context,
+          const std::string &,
+          const Offer  &offer,
+          const Moment &now,
+          PvdRecord    &record) const override
+    {
+      PointPatches<dim> patches = points(offer, now.time);
+      record.write(context, patches, now.time, now.step);
+    }
   };
 } // namespace Thalweg
 

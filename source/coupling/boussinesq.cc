@@ -82,12 +82,26 @@ namespace Thalweg
       void
       transfer(const double time, const double dt) override
       {
+        // What the flow took for the end of the step.
+        const double part = buoyancy.part_of_now(time + dt);
+        Vector       expected(buoyancy.before);
+        expected.zero_out_ghost_values();
+        expected.sadd(1. - part, part, buoyancy.now);
         // Of an iterated step only its end is found anew.
         if (time == buoyancy.time_now)
           buoyancy.before.swap(buoyancy.now);
         buoyancy.time_before = time;
         buoyancy.time_now    = time + dt;
         find(time + dt, buoyancy.now);
+        const double largest = buoyancy.now.linfty_norm();
+        expected.add(-1., buoyancy.now);
+        difference = largest > 0. ? expected.linfty_norm() / largest : 0.;
+      }
+
+      double
+      change() const override
+      {
+        return difference;
       }
 
     private:
@@ -117,6 +131,7 @@ namespace Thalweg
       }
 
       double                     expansion = 0., reference = 0.;
+      double                     difference = 0.; ///< see change()
       std::unique_ptr<Host<dim>> host;
       std::vector<std::string>   methods;
       NodalAcceleration          buoyancy;

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Natural convection in a square cavity against de Vahl Davis (1983)."""
+"""Natural convection: a cavity against de Vahl Davis (1983), and the onset in a
+layer against Chandrasekhar (1961)."""
+
+import math
 
 from cavity import extremum, line
 from thalweg import REFERENCE, finished, read_rows
@@ -7,6 +10,8 @@ from thalweg import REFERENCE, finished, read_rows
 # Rayleigh number: cells a side, end in s
 FULL = {1e3: (64, .5), 1e4: (64, .5), 1e5: (64, .4), 1e6: (128, .3)}
 REDUCED = {1e4: (24, .3)}
+# Of the Rayleigh number, between two walls that do not slip.
+CRITICAL = 1707.76
 
 
 def settings(rayleigh, n, end, courant):
@@ -35,7 +40,7 @@ def results(output, n):
             "u_max": extremum(u, 1), "v_max": extremum(v, 1)}, abs(in_ - out)
 
 
-def verify(runner, report, reduced):
+def cavity(runner, report, reduced):
     """Nusselt numbers and velocities at Rayleigh numbers from 1e3 to 1e6."""
     cases = REDUCED if reduced else FULL
     runs = {(ra, n, c): runner.start(
@@ -65,3 +70,36 @@ def verify(runner, report, reduced):
         + [w for k in ("mean Nu", "largest Nu", "largest u", "largest v")
            for w in (k, "deviation")]
         + ["difference of the walls", "CPU s"], rows)
+
+
+def growth(output):
+    """The rate at which velocities grow in the last third of a run, 1/s."""
+    rows = read_rows(output / "statistics.csv")
+    first, last = rows[2 * len(rows) // 3], rows[-1]
+    energies = [float(r["fluid: kinetic energy [J]"]) for r in (first, last)]
+    return (.5 * math.log(energies[1] / energies[0])
+            / (float(last["time [s]"]) - float(first["time [s]"])))
+
+
+def onset(runner, report, reduced):
+    """Whether a layer that is warm below turns over."""
+    runs = {ra: runner.start(
+        "rayleigh_benard", f"rayleigh_benard_{ra:g}",
+        {"Couplings/buoyancy/Expansion": repr(ra),
+         "Time/End time": "1.5" if reduced else "3",
+         "Postprocess/Models": ""})
+        for ra in ((1700., 1716.) if reduced else (1650., 1700., 1716., 1770.))}
+    rows = [[ra, growth(output)] for ra, output in finished(report, runs)]
+    for ra, rate in rows:
+        report.limit(f"convection of a layer, Ra {ra:g}: the rate at which it "
+                     + ("grows" if ra < CRITICAL else "dies away"),
+                     rate if ra < CRITICAL else -rate, 0.)
+    report.table("rayleigh_benard", "The onset of convection in a layer that is "
+                 "warm below, at Rayleigh number 1707.76",
+                 ["Ra", "rate of growth [1/s]"], rows)
+
+
+def verify(runner, report, reduced):
+    """A cavity with walls of two temperatures, and a layer on a warm plate."""
+    cavity(runner, report, reduced)
+    onset(runner, report, reduced)

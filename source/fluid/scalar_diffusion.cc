@@ -128,6 +128,16 @@ namespace Thalweg
 
 
   template <int dim>
+  void
+  ScalarDiffusion<dim>::clear_given(Vector &scalar) const
+  {
+    for (const GivenNode &node : given_nodes)
+      scalar.local_element(node.node) = 0.;
+  }
+
+
+
+  template <int dim>
   double
   ScalarDiffusion<dim>::content(const Vector &scalar) const
   {

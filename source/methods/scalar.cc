@@ -59,20 +59,18 @@ namespace Thalweg
     source.reset();
     if (parameters.source != "0")
       source = parse_expression<dim>(parameters.source, 1, "Source");
-    auto &particles =
-      host->ports.template get<ParticleHost<dim>>(parameters.carrier,
-                                                  "particles",
-                                                  who() +
-                                                    ", in 'Methods/Names' "
-                                                    "behind a flow,");
+    particles = &host->ports.template get<ParticleHost<dim>>(
+      parameters.carrier,
+      "particles",
+      who() + ", in 'Methods/Names' behind a flow,");
     property =
-      particles.add_property(host->name.empty() ? "scalar" : host->name,
-                             [this](const dealii::types::boundary_id id,
-                                    const dealii::Point<dim>        &place,
-                                    const double before_end) {
-                               return inflow(id, place, before_end);
-                             });
-    population = &particles.population();
+      particles->add_property(host->name.empty() ? "scalar" : host->name,
+                              [this](const dealii::types::boundary_id id,
+                                     const dealii::Point<dim>        &place,
+                                     const double before_end) {
+                                return inflow(id, place, before_end);
+                              });
+    population = &particles->population();
   }
 
 
@@ -85,6 +83,7 @@ namespace Thalweg
     projection.reset();
     view.reset();
     population = nullptr;
+    particles  = nullptr;
   }
 
 
@@ -131,8 +130,8 @@ namespace Thalweg
       particle.properties()[property] = function->value(particle.position());
     interpolate_function(view->space, *function, view->field);
     update_operator();
-    at_start = diffusion->content(view->field);
-    through = supplied = correction = 0.;
+    at_start = content();
+    through = supplied = with_flow = correction = 0.;
   }
 
 
@@ -145,6 +144,7 @@ namespace Thalweg
     values.value("at start", at_start);
     values.value("through", through);
     values.value("supplied", supplied);
+    values.value("with flow", with_flow);
     state.field("field", view->space, view->field, 1);
   }
 
@@ -157,6 +157,7 @@ namespace Thalweg
     return {"content",
             "through boundaries",
             "supplied",
+            "with the flow",
             "unaccounted",
             "correction",
             "least",
@@ -196,11 +197,13 @@ namespace Thalweg
         include(view->field.local_element(n));
     set(" on the mesh");
 
-    const double content = diffusion->content(view->field);
-    statistics.set("content", content);
+    const double present = content();
+    statistics.set("content", present);
     statistics.set("through boundaries", through);
     statistics.set("supplied", supplied);
-    statistics.set("unaccounted", content - at_start - through - supplied);
+    statistics.set("with the flow", with_flow);
+    statistics.set("unaccounted",
+                   present - at_start - through - supplied - with_flow);
     statistics.set("correction", correction);
     statistics.set("diffusion iterations", iterations);
     view->fluxes = diffusion->fluxes(view->field, time);

@@ -6,9 +6,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace Thalweg
 {
+  namespace
+  {
+    /// Those particles of a fluid in a cell that know the scalar.
+    class KnownOnes
+    {
+    public:
+      /// @param misfit of its value from what the field says there
+      void
+      add(const double value, const double misfit, const double volume)
+      {
+        least    = std::min(least, value);
+        greatest = std::max(greatest, value);
+        weights += volume;
+        misfits += volume * misfit;
+      }
+
+      /// What a new one has where the field says @p value: if it gets its
+      /// volume from them, so much that nothing is lost.
+      double
+      of_new_one(const double value) const
+      {
+        return weights > 0.
+                 ? std::clamp(value + misfits / weights, least, greatest)
+                 : value;
+      }
+
+    private:
+      double least    = std::numeric_limits<double>::max();
+      double greatest = std::numeric_limits<double>::lowest();
+      double weights = 0., misfits = 0.;
+    };
+  } // namespace
+
+
+
   template <int dim>
   double
   Scalar<dim>::inflow(const dealii::types::boundary_id id,
@@ -34,8 +71,33 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  Scalar<dim>::content() const
+  {
+    if (medium().fluids.size() == 1)
+      return diffusion->content(view->field);
+    double sum = 0.;
+    for (const Population<dim> *all :
+         {static_cast<const Population<dim> *>(population),
+          particles->dispersed()})
+      if (all != nullptr)
+        for (const auto &particle : all->particles())
+          {
+            const auto properties = particle.properties();
+            if (!std::isnan(properties[property]))
+              sum += properties[Population<dim>::volume_offset] *
+                     capacity[Population<dim>::fluid_of(properties)] *
+                     properties[property];
+          }
+    return dealii::Utilities::MPI::sum(sum, host->context.communicator);
+  }
+
+
+
+  template <int dim>
+  template <typename Add>
   void
-  Scalar<dim>::add_increment(const Vector &before)
+  Scalar<dim>::for_each_increment(const Vector &before, const Add &add)
   {
     const auto &space = view->space;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
@@ -52,9 +114,48 @@ namespace Thalweg
         if (is_zero)
           continue;
         for (const auto &particle : population->in_cell(c))
-          particle.properties()[property] +=
-            Q1::value<dim>(increment, particle.reference());
+          {
+            const auto properties = particle.properties();
+            add(properties[property],
+                Q1::value<dim>(increment, particle.reference()),
+                properties[Population<dim>::volume_offset] *
+                  capacity[Population<dim>::fluid_of(properties)]);
+          }
       }
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::add_increment(const Vector &before, const double supply)
+  {
+    if (medium().fluids.size() == 1)
+      {
+        for_each_increment(before,
+                           [](double &value, const double increment, double) {
+                             value += increment;
+                           });
+        return;
+      }
+    // The particles' volumes are no quadrature: where the increments are, they
+    // get what is missing, too.
+    std::array<double, 2> sums{};
+    for_each_increment(
+      before, [&](double &, const double increment, const double mass) {
+        sums[0] += mass * increment;
+        sums[1] += mass * std::abs(increment);
+      });
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), 2),
+                                host->context.communicator,
+                                dealii::ArrayView<double>(sums.data(), 2));
+    const double missing = supply - sums[0];
+    const double part    = sums[1] > 0. ? missing / sums[1] : 0.;
+    correction += missing;
+    for_each_increment(before,
+                       [&](double &value, const double increment, double) {
+                         value += increment + part * std::abs(increment);
+                       });
   }
 
 
@@ -65,16 +166,35 @@ namespace Thalweg
   {
     const auto &space = view->space;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      for (const auto &particle : population->in_cell(c))
-        {
-          double &value = particle.properties()[property];
-          if (!std::isnan(value))
-            continue;
-          const auto shape = Q1::values<dim>(particle.reference());
-          value            = 0.;
-          for (unsigned int v = 0; v < shape.size(); ++v)
-            value += shape[v] * field.local_element(space.nodes(c)[v]);
-        }
+      {
+        std::array<double, (1 << dim)> nodal;
+        bool                           is_complete = true;
+        for (unsigned int v = 0; v < nodal.size(); ++v)
+          nodal[v] = field.local_element(space.nodes(c)[v]);
+        std::array<KnownOnes, 2> known;
+        for (const auto &particle : population->in_cell(c))
+          {
+            const auto   properties = particle.properties();
+            const double value      = properties[property];
+            if (std::isnan(value))
+              is_complete = false;
+            else
+              known[Population<dim>::fluid_of(properties)].add(
+                value,
+                value - Q1::value<dim>(nodal, particle.reference()),
+                properties[Population<dim>::volume_offset]);
+          }
+        if (is_complete)
+          continue;
+        for (const auto &particle : population->in_cell(c))
+          {
+            const auto properties = particle.properties();
+            double    &value      = properties[property];
+            if (std::isnan(value))
+              value = known[Population<dim>::fluid_of(properties)].of_new_one(
+                Q1::value<dim>(nodal, particle.reference()));
+          }
+      }
   }
 
 
@@ -115,7 +235,7 @@ namespace Thalweg
       dealii::Utilities::MPI::sum(supply.source, communicator);
     supplied += inside;
     through += all - inside;
-    add_increment(before);
+    add_increment(before, all);
   }
 
 
@@ -125,16 +245,19 @@ namespace Thalweg
   Scalar<dim>::project()
   {
     dealii::TimerOutput::Scope scope(host->context.timers, "scalars");
-    const double               before = diffusion->content(view->field);
     projection->project(*population, property, view->field);
     fill_unknown(field_for_new_particles());
     update_operator();
-    correction = 0.;
-    if (dealii::Utilities::MPI::sum(medium().boundary.passable_faces().size(),
-                                    host->context.communicator) > 0)
-      return;
-    correction = before - diffusion->content(view->field);
-    give_back();
+    // What particles beside a boundary have is theirs, whatever is given there.
+    diffusion->set_given(view->field, end_of_step - half_step);
+    if (medium().fluids.size() == 1 &&
+        dealii::Utilities::MPI::sum(medium().boundary.passable_faces().size(),
+                                    host->context.communicator) == 0)
+      {
+        correction = before_motion - diffusion->content(view->field);
+        give_back();
+      }
+    with_flow += content() - before_motion;
   }
 
 
@@ -154,6 +277,7 @@ namespace Thalweg
         room.local_element(n) =
           correction > 0. ? std::max(0., distance) : std::min(0., distance);
       }
+    diffusion->clear_given(room);
     const double all = diffusion->content(room);
     if (all == 0.)
       return;
@@ -169,8 +293,11 @@ namespace Thalweg
   Scalar<dim>::begin_step(const double time, const double dt)
   {
     end_of_step = time + dt;
+    half_step   = .5 * dt;
     iterations  = 0;
-    diffuse(time, .5 * dt);
+    correction  = 0.;
+    diffuse(time, half_step);
+    before_motion = content();
   }
 
 
@@ -185,18 +312,19 @@ namespace Thalweg
 
 
 
-#define THALWEG_INSTANTIATE_STEP(dim)                                   \
-  template double Scalar<dim>::inflow(const dealii::types::boundary_id, \
-                                      const dealii::Point<dim> &,       \
-                                      const double) const;              \
-  template void   Scalar<dim>::update_operator();                       \
-  template void   Scalar<dim>::add_increment(const Vector &);           \
-  template void   Scalar<dim>::fill_unknown(const Vector &);            \
-  template Vector Scalar<dim>::field_for_new_particles() const;         \
-  template void   Scalar<dim>::diffuse(const double, const double);     \
-  template void   Scalar<dim>::project();                               \
-  template void   Scalar<dim>::give_back();                             \
-  template void   Scalar<dim>::begin_step(const double, const double);  \
+#define THALWEG_INSTANTIATE_STEP(dim)                                       \
+  template double Scalar<dim>::inflow(const dealii::types::boundary_id,     \
+                                      const dealii::Point<dim> &,           \
+                                      const double) const;                  \
+  template void   Scalar<dim>::update_operator();                           \
+  template void   Scalar<dim>::add_increment(const Vector &, const double); \
+  template double Scalar<dim>::content() const;                             \
+  template void   Scalar<dim>::fill_unknown(const Vector &);                \
+  template Vector Scalar<dim>::field_for_new_particles() const;             \
+  template void   Scalar<dim>::diffuse(const double, const double);         \
+  template void   Scalar<dim>::project();                                   \
+  template void   Scalar<dim>::give_back();                                 \
+  template void   Scalar<dim>::begin_step(const double, const double);      \
   template void   Scalar<dim>::advance(const double, const double);
   THALWEG_INSTANTIATE_STEP(2)
   THALWEG_INSTANTIATE_STEP(3)

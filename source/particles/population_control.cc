@@ -104,10 +104,12 @@ namespace Thalweg
           };
           for (unsigned int d = 0; d < dim; ++d)
             mix(velocity + d);
-          for (unsigned int k = Population<dim>::n_properties; k < kept.size();
-               ++k)
-            mix(k);
         }
+      for (unsigned int k = Population<dim>::n_properties; k < kept.size(); ++k)
+        if (std::isnan(kept[k])) // it says nothing that the other did not
+          kept[k] = given[k];
+        else if (sum > 0 && !std::isnan(given[k]))
+          kept[k] += added / sum * (given[k] - kept[k]);
     }
 
     /// The particles of one fluid in one cell.

@@ -93,13 +93,14 @@ namespace Thalweg
           largest_gain * sums[0])
       return false;
     const auto   result   = polynomial.solve(load);
-    const double square   = sums[size - 3];
+    const double square   = sums[size - 2];
     const double variance = square - load[0] * load[0] / matrix[0][0];
     value                 = result.unknowns[0];
     misfit                = 0.;
     if (variance > smallest_variance * square)
       {
-        const double n_points = sums[size - 2];
+        // As many points of one weight would say as much.
+        const double n_points = sums[0] * sums[0] / sums[size - 1];
         misfit = n_points > n + .5 ? std::max(0., square - result.explained) /
                                        variance * n_points / (n_points - n)
                                    : 1.;

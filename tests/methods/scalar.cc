@@ -143,9 +143,11 @@ TEST(ScalarMpi, WhatFlowsInHasTheValueThere)
                    section("Boundary conditions",
                            {"Open = left: 0 | right: 0"})) +
         steps(dt, "2"));
-      EXPECT_NEAR(run.last("heat: least"), 3., 1e-8) << dt;
-      EXPECT_NEAR(run.last("heat: greatest"), 3., 1e-8) << dt;
-      EXPECT_NEAR(run.last("heat: content"), 3., 1e-10) << dt;
+      // At small steps new particles beside the inlet lie between it and what
+      // was inside: that fades.
+      EXPECT_NEAR(run.last("heat: least"), 3., 1e-6) << dt;
+      EXPECT_NEAR(run.last("heat: greatest"), 3., 1e-6) << dt;
+      EXPECT_NEAR(run.last("heat: content"), 3., 1e-7) << dt;
     }
 }
 

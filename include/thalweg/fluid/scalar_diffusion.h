@@ -68,6 +68,10 @@ namespace Thalweg
     void
     set_given(Vector &scalar, const double time) const;
 
+    /// Sets given nodes to 0; owned values.
+    void
+    clear_given(Vector &scalar) const;
+
     /// What there is of a scalar. Collective.
     double
     content(const Vector &scalar) const;

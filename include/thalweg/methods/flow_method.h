@@ -78,6 +78,12 @@ namespace Thalweg
       return flow->particles();
     }
 
+    const Population<dim> *
+    dispersed() const final
+    {
+      return flow->dispersed();
+    }
+
     void
     initialize() final;
 

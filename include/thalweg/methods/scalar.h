@@ -152,9 +152,21 @@ namespace Thalweg
     void
     diffuse(const double time, const double dt);
 
-    /// Adds the field less @p before to what particles carry.
+    /// What there is of the scalar: on the particles where they carry volumes,
+    /// else on the mesh. Collective.
+    double
+    content() const;
+
+    /// Calls @p add(scalar of a particle, increment, capacity of its volume)
+    /// with the increments that the field less @p before has at the particles.
+    template <typename Add>
     void
-    add_increment(const Vector &before);
+    for_each_increment(const Vector &before, const Add &add);
+
+    /// Adds the field less @p before to what particles carry; where they carry
+    /// volumes it is made to hold @p supply.
+    void
+    add_increment(const Vector &before, const double supply);
 
     /// Gives particles that do not know the scalar what @p field says.
     void
@@ -183,6 +195,7 @@ namespace Thalweg
     std::unique_ptr<Host<dim>>             host;
     std::unique_ptr<ScalarConditions<dim>> conditions;
     std::unique_ptr<dealii::Function<dim>> source; ///< nullptr without one
+    ParticleHost<dim>                     *particles  = nullptr;
     Population<dim>                       *population = nullptr;
     unsigned int                           property   = 0;
     std::array<double, 2>                  capacity{}, conductivity{};
@@ -190,10 +203,13 @@ namespace Thalweg
     std::unique_ptr<ScalarProjection<dim>> projection;
     std::unique_ptr<ScalarDiffusion<dim>>  diffusion;
     double                                 end_of_step = 0.; ///< s
+    double                                 half_step   = 0.; ///< s
     unsigned int                           iterations  = 0;
-    double correction = 0.; ///< by the last projection, of the content
-    /// What there was at the start, came in, and was supplied since.
-    double at_start = 0., through = 0., supplied = 0.;
+    double correction = 0.; ///< of the content in the last step
+    /// What there was at the start, and since came in through boundaries, was
+    /// supplied, and came in with the flow.
+    double at_start = 0., through = 0., supplied = 0., with_flow = 0.;
+    double before_motion = 0.; ///< content
   };
 } // namespace Thalweg
 

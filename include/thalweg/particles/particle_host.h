@@ -31,6 +31,14 @@ namespace Thalweg
 
     virtual Population<dim> &
     population() = 0;
+
+    /// Drops and bubbles, which carry the same; nullptr where there can be
+    /// none.
+    virtual const Population<dim> *
+    dispersed() const
+    {
+      return nullptr;
+    }
   };
 } // namespace Thalweg
 

@@ -71,10 +71,10 @@ namespace Thalweg
   public:
     static constexpr unsigned int n_quadratic = Monomials<dim>::n_quadratic;
     static constexpr unsigned int n_monomials = Monomials<dim>::n;
-    static constexpr unsigned int size        = n_monomials + n_quadratic + 3;
+    static constexpr unsigned int size        = n_monomials + n_quadratic + 2;
 
-    /// Of monomials, of the first of them times the value, of its square; the
-    /// number of points, and that of the squares of the weights.
+    /// Of monomials, of the first of them times the value, of its square; and
+    /// of the squares of the weights.
     std::array<double, size> sums{};
 
     /// @param monomials of the offset from the node
@@ -88,8 +88,7 @@ namespace Thalweg
       const double weighted = weight * value;
       for (unsigned int k = 0; k < n_quadratic; ++k)
         sums[n_monomials + k] += weighted * monomials[k];
-      sums[size - 3] += weighted * value;
-      sums[size - 2] += 1.;
+      sums[size - 2] += weighted * value;
       sums[size - 1] += weight * weight;
     }
 

@@ -26,7 +26,7 @@ namespace Thalweg
   void
   CarriedGrains<dim>::restore()
   {
-    grains.restore(saved, true);
+    grains.restore(saved);
   }
 
 

@@ -65,6 +65,31 @@ namespace Thalweg
       std::unordered_map<std::uint64_t, std::vector<GrainPlace>> cells;
     };
 
+
+
+    /// Says that there is no room at places that touch a wall.
+    void
+    take_out_at_walls(const std::vector<GrainPlace> &places,
+                      const WallSet                 &walls,
+                      std::vector<char>             &room)
+    {
+      double largest = 0.;
+      for (const GrainPlace &place : places)
+        largest = std::max(largest, place.r);
+      const FacetFinder          finder(walls.facets, largest);
+      std::vector<std::uint32_t> facets;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          facets.clear();
+          if (room[i] != 0)
+            finder.append_near(places[i].x, places[i].r, facets);
+          for (const std::uint32_t f : facets)
+            if (walls.walls[walls.facets[f].wall].is_there &&
+                distance_from(walls.facets[f], places[i].x) <
+                  places[i].r * (1. - 1e-9))
+              room[i] = 0;
+        }
+    }
   } // namespace
 
 
@@ -188,7 +213,8 @@ namespace Thalweg
   GrainInsertion<dim>::at_random(const Mesh<dim>               &mesh,
                                  const MeshLocator<dim>        &locator,
                                  RandomNumbers                 &random,
-                                 const std::vector<GrainPlace> &present) const
+                                 const std::vector<GrainPlace> &present,
+                                 const WallSet                 &walls) const
   {
     Occupancy taken(largest_diameter());
     const auto &[lower, upper] = mesh.box();
@@ -208,6 +234,7 @@ namespace Thalweg
             trials.push_back({x, radius(random)});
           }
         std::vector<char> is_free = locator.have_room(trials);
+        take_out_at_walls(trials, walls, is_free);
         take_out_overlapping(mesh, trials, present, is_free);
         const std::size_t before = places.size();
         for (unsigned int t = 0; t < batch && places.size() < number; ++t)
@@ -233,7 +260,8 @@ namespace Thalweg
                             const GrainMaterials          &materials,
                             const unsigned int             n,
                             const std::uint64_t            first_id,
-                            const std::vector<GrainPlace> &present) const
+                            const std::vector<GrainPlace> &present,
+                            const WallSet                 &walls) const
   {
     const double time = time_of(n);
     region_function   = parse_expression<dim>(region, 1, "Insertion/Region");
@@ -241,11 +269,12 @@ namespace Thalweg
     RandomNumbers           random(seed * 1000003ull + n);
     std::vector<GrainPlace> places;
     if (pattern == "random")
-      places = at_random(mesh, locator, random, present);
+      places = at_random(mesh, locator, random, present, walls);
     else
       {
         const auto        all  = on_lattice(mesh, random);
         std::vector<char> room = locator.have_room(all);
+        take_out_at_walls(all, walls, room);
         take_out_overlapping(mesh, all, present, room);
         for (std::size_t i = 0; i < all.size(); ++i)
           if (room[i] != 0 && (number == 0 || places.size() < number))
@@ -299,12 +328,14 @@ namespace Thalweg
                           const GrainMaterials &,
                           const unsigned int,
                           const std::uint64_t,
-                          const std::vector<GrainPlace> &) const;
+                          const std::vector<GrainPlace> &,
+                          const WallSet &) const;
   template std::vector<GrainRecord>
   GrainInsertion<3>::make(const Mesh<3> &,
                           const MeshLocator<3> &,
                           const GrainMaterials &,
                           const unsigned int,
                           const std::uint64_t,
-                          const std::vector<GrainPlace> &) const;
+                          const std::vector<GrainPlace> &,
+                          const WallSet &) const;
 } // namespace Thalweg

@@ -267,8 +267,11 @@ namespace Thalweg
     for (std::size_t i = 0; i < arrays.size(); ++i)
       arrays.place[i].x = arrays.reference[i];
     find_pairs(linked_cells, arrays.place, key, arrays.own, skin, neighbours);
+    walls.place_facets(&MovingWall::reference);
     wall_list.make(arrays, walls, skin);
     arrays.place.swap(now);
+    walls.place_facets(&MovingWall::now);
+    moving_facets = walls.moving_among(wall_list.facet);
   }
 
 

@@ -67,11 +67,9 @@ namespace Thalweg
 
 
   void
-  GrainSystem::restore(GrainSet set, const bool on_same_mesh)
+  GrainSystem::restore(const GrainSet &saved)
   {
-    if (!on_same_mesh)
-      for (WallMemory &memory : set.walls)
-        memory.facet = no_facet;
+    GrainSet set = saved;
     distribute(set);
     arrange(set);
   }
@@ -107,6 +105,8 @@ namespace Thalweg
         grain.x += locator->wrap(grain.x);
         grain.reference = grain.x;
       }
+    for (MovingWall &wall : walls.moving)
+      wall.reference = wall.now;
     travelled = 0.;
     distribute(set);
     arrange(set);
@@ -159,7 +159,7 @@ namespace Thalweg
     for (const std::uint32_t i : own_places)
       square =
         std::max(square, norm_square(arrays.place[i].x - arrays.reference[i]));
-    return maximum(std::sqrt(square));
+    return std::max(maximum(std::sqrt(square)), walls.farthest());
   }
 
 
@@ -175,9 +175,9 @@ namespace Thalweg
 
 
   void
-  GrainSystem::check_lists(const double speed_square, const double dt)
+  GrainSystem::check_lists(const double way_here)
   {
-    const double way = std::sqrt(maximum(speed_square)) * dt;
+    const double way = maximum(way_here);
     travelled += way;
     travelled_since_pruning += way;
     if (2. * travelled > skin)
@@ -249,14 +249,17 @@ namespace Thalweg
     const unsigned int                             n_steps,
     const double                                   dt,
     const Vec3                                    &acceleration,
-    const std::function<void(const unsigned int)> &before_contacts)
+    const std::function<void(const unsigned int)> &before_contacts,
+    const double                                   time)
   {
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         const double fastest =
           kick_and_drift(arrays, step == 0 ? .5 * dt : dt, dt, acceleration);
+        const double way = walls.move(time + step * dt, dt);
+        walls.place_facets(moving_facets);
         is_in_step = true;
-        check_lists(fastest, dt);
+        check_lists(std::max(std::sqrt(fastest) * dt, way));
         is_in_step = false;
         if (before_contacts)
           before_contacts(step);

@@ -54,8 +54,23 @@ namespace Thalweg
     if (facet.kind == Facet::Kind::plane)
       return facet.is_solid ? std::max(height, 0.) : std::abs(height);
     if (facet.kind == Facet::Kind::cylinder)
-      return std::abs(std::abs(facet.radius) -
-                      norm(from_point - height * facet.normal));
+      {
+        const double side = facet.radius > 0. ? 1. : -1.;
+        const double way  = side * (std::abs(facet.radius) -
+                                   norm(from_point - height * facet.normal));
+        return facet.is_solid ? std::max(way, 0.) : std::abs(way);
+      }
+    if (facet.kind == Facet::Kind::cone)
+      {
+        const ConeView view    = view_cone(facet, x);
+        const double   out     = view.from_axis - view.radius;
+        const double   up      = view.along_axis - view.height;
+        const double   inwards = up * view.slope_out - out * view.slope_up;
+        return facet.is_solid && view.is_inside &&
+                   (facet.has_grains_outside ? inwards > 0. : inwards < 0.)
+                 ? 0.
+                 : std::sqrt(out * out + up * up);
+      }
     bool         is_inside;
     const Vec3   nearest  = nearest_in_polygon(facet, x, is_inside);
     const double distance = norm(x - nearest);

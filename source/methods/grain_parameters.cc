@@ -84,6 +84,7 @@ namespace Thalweg
               "More walls: a point and, behind a colon, the direction of the "
               "grains, `0, 0, 0.1: 0, 0, 1 | ...`.",
               Anything());
+    own_walls.declare_parameters(walls);
   }
 
 
@@ -192,6 +193,7 @@ namespace Thalweg
       if (!wall_material.empty())
         read.find(wall_material, "Walls/Material");
     });
+    own_walls.check(dim, read, faults);
   }
 
 
@@ -211,6 +213,13 @@ namespace Thalweg
                         boundary_name(mesh.boundary_names(), id) +
                         "' is both in 'Walls/Open' and periodic; take it out "
                         "of one of them."));
+    });
+    collect_fault(faults, [&]() {
+      for (const std::string &name : own_walls.names())
+        AssertThrow(mesh.boundary_names().count(name) == 0,
+                    dealii::ExcMessage("'Walls/Names' has '" + name +
+                                       "', which is the name of a boundary: "
+                                       "give the wall another one."));
     });
   }
 
@@ -235,7 +244,9 @@ namespace Thalweg
                                    WallSet                          &walls,
                                    std::vector<std::string> &names) const
   {
-    walls = WallSet();
+    const std::vector<MovingWall> before = walls.moving;
+    const double                  time   = walls.time;
+    walls                                = WallSet();
     names.clear();
     const Vec3                           nothing{0., 0., 0.};
     const std::set<unsigned int>         is_open = open_boundaries(mesh);
@@ -263,6 +274,16 @@ namespace Thalweg
           add_wall("plane " + std::to_string(names.size()), facet.corner[0]);
         walls.facets.push_back(facet);
       }
+    const auto &[low, high] = mesh.box();
+    own_walls.add_to(
+      walls, names, dim, materials, material_of_walls(), low.distance(high));
+    for (std::size_t w = 0; w < before.size(); ++w)
+      {
+        walls.moving[w].now       = before[w].now;
+        walls.moving[w].reference = before[w].reference;
+      }
+    walls.set_velocities(time);
+    walls.place_facets(&MovingWall::now);
   }
 
 

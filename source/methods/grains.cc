@@ -50,6 +50,7 @@ namespace Thalweg
   void
   Grains<dim>::initialize()
   {
+    walls = WallSet();
     attach();
     system->clear();
     system->counts = GrainCounts();
@@ -81,7 +82,8 @@ namespace Thalweg
                                                    parameters.materials,
                                                    n_insertions,
                                                    next_id,
-                                                   present);
+                                                   present,
+                                                   walls);
         const unsigned int       n_ranks =
           dealii::Utilities::MPI::n_mpi_processes(host->context.communicator);
         const unsigned int rank =
@@ -120,17 +122,21 @@ namespace Thalweg
 
   template <int dim>
   unsigned int
-  Grains<dim>::n_steps_in(const double dt) const
+  Grains<dim>::n_steps_in(const double time, const double dt) const
   {
     if (smallest_radius == 0.)
       return 1;
-    double limit = parameters.sub_step;
+    double limit    = parameters.sub_step;
+    double of_walls = 0.;
+    for (const double part : {0., .25, .5, .75, 1.})
+      of_walls = std::max(of_walls, walls.fastest(time + part * dt));
     if (limit == 0.)
       {
         const double g     = norm(as_vec3(host->forces.uniform_acceleration()));
         const double speed = parameters.impact_speed > 0.
                                ? parameters.impact_speed
                                : std::max({2. * fastest(),
+                                           fastest() + of_walls,
                                            std::sqrt(4. * g * smallest_radius),
                                            1e-6 * smallest_radius / dt});
         double       mass  = std::numeric_limits<double>::max();
@@ -140,6 +146,9 @@ namespace Thalweg
                   {smallest_radius, .5 * mass, speed}) /
                 parameters.steps_a_contact;
       }
+    // Walls do not pass grains in a step.
+    if (of_walls > 0.)
+      limit = std::min(limit, .2 * smallest_radius / of_walls);
     const double n = std::ceil(dt / limit * (1. - 1e-9));
     AssertThrow(n < 1e9,
                 dealii::ExcMessage(
@@ -175,7 +184,7 @@ namespace Thalweg
     dealii::TimerOutput::Scope scope(host->context.timers, "grains");
     host->forces.set_time(time);
     insert(time);
-    const unsigned int                n        = n_steps_in(dt);
+    const unsigned int                n        = n_steps_in(time, dt);
     const double                      sub_step = dt / n;
     std::function<void(unsigned int)> others;
     if (has_field())
@@ -183,7 +192,7 @@ namespace Thalweg
         add_body_forces(time + (step + 1) * sub_step);
       };
     const GrainCounts before = system->counts;
-    system->advance(n, sub_step, gravity(), others);
+    system->advance(n, sub_step, gravity(), others, time);
     n_sub_steps_made         = n;
     const GrainCounts &after = system->counts;
     double             work[]{after.work.normal - before.work.normal,

@@ -12,11 +12,13 @@ namespace Thalweg
     std::string law = parameters.law.model_name() + ", " + parameters.rolling;
     for (const std::string &name : parameters.materials.names())
       law += ", " + name;
+    if (!parameters.own_walls.list().empty())
+      law += "; " + parameters.own_walls.list();
     const std::string present = law;
-    values.value("law and materials", law);
+    values.value("law, materials and walls", law);
     AssertThrow(law == present,
-                dealii::ExcMessage("it is of grains with other laws or "
-                                   "materials: '" +
+                dealii::ExcMessage("it is of grains with other laws, "
+                                   "materials or walls: '" +
                                    law + "' instead of '" + present + "'."));
     values.value("insertions", n_insertions);
     values.value("next id", next_id);
@@ -32,7 +34,33 @@ namespace Thalweg
     values.value("tangential work", work_tangential);
     values.value("rolling work", work_rolling);
     values.value("wall work", wall_work);
+    keep_walls(values);
     state.carry("grains", *carried);
+  }
+
+
+
+  template <int dim>
+  void
+  Grains<dim>::keep_walls(const Archive &values)
+  {
+    values.value("time of walls", walls.time);
+    for (std::size_t w = 0; w < walls.moving.size(); ++w)
+      for (const bool is_now : {true, false})
+        {
+          WallPose &pose =
+            is_now ? walls.moving[w].now : walls.moving[w].reference;
+          std::vector<double> numbers{pose.shift.x,
+                                      pose.shift.y,
+                                      pose.shift.z,
+                                      pose.angle};
+          values.value((is_now ? "wall " : "reference of wall ") +
+                         std::to_string(w),
+                       numbers);
+          pose = {{numbers.at(0), numbers.at(1), numbers.at(2)}, numbers.at(3)};
+        }
+    if (values.is_restoring())
+      walls.set_velocities(walls.time);
   }
 
 

@@ -249,9 +249,14 @@ namespace Thalweg
           {
             std::vector<std::string> columns{"time [s]"};
             for (const std::string &wall : view->wall_names)
-              for (unsigned int d = 0; d < dim; ++d)
-                columns.push_back(wall + ": force " + std::string(1, "xyz"[d]) +
-                                  " [N]");
+              {
+                for (unsigned int d = 0; d < dim; ++d)
+                  columns.push_back(wall + ": force " +
+                                    std::string(1, "xyz"[d]) + " [N]");
+                for (unsigned int d = first_axis; d < 3; ++d)
+                  columns.push_back(wall + ": torque " +
+                                    std::string(1, "xyz"[d]) + " [N m]");
+              }
             this->open(context, name, columns);
           }
       }
@@ -268,7 +273,11 @@ namespace Thalweg
             for (const WallForce &force : view->walls.forces)
               {
                 const double f[]{force.force.x, force.force.y, force.force.z};
+                const double t[]{force.torque.x,
+                                 force.torque.y,
+                                 force.torque.z};
                 row.insert(row.end(), f, f + dim);
+                row.insert(row.end(), t + first_axis, t + 3);
               }
             dealii::Utilities::MPI::sum(row, context.communicator, row);
             row[0] = now.time;
@@ -284,6 +293,9 @@ namespace Thalweg
       }
 
     private:
+      /// In two dimensions torques are about the third one.
+      static constexpr unsigned int first_axis = dim == 3 ? 0 : 2;
+
       Schedule schedule{.05};
     };
   } // namespace
@@ -301,6 +313,7 @@ namespace Thalweg
   THALWEG_REGISTER(Postprocessor,
                    WallForces,
                    "wall forces",
-                   "what grains do to each wall, for runs with an energy "
-                   "budget; writes METHOD_wall_forces.csv.")
+                   "what grains do to each wall, forces and torques about its "
+                   "center, for runs with an energy budget; writes "
+                   "METHOD_wall_forces.csv.")
 } // namespace Thalweg

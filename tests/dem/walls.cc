@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/errors.h>
 #include <thalweg/dem/boundary_facets.h>
+#include <thalweg/dem/triangle_file.h>
+#include <thalweg/dem/wall_shape.h>
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <gtest/gtest.h>
 
 #include "dem/grain_scene.h"
 #include "particles/setup.h"
 #include "support/dimensions.h"
+#include "support/files.h"
 
 using namespace Thalweg;
 
@@ -14,17 +20,14 @@ namespace
 {
   constexpr double r = 1e-3;
 
-  Facet
-  triangle(const Vec3 &a, const Vec3 &b, const Vec3 &c)
-  {
-    Facet facet = make_polygon({a, b, c}, a + Vec3{0., 0., 1.});
-    return facet;
-  }
-
   /// The square from -1 cm to 1 cm at z = 0 as 2 n^2 triangles of one wall.
   void
-  add_square(GrainScene &scene, const unsigned int n)
+  add_square(GrainScene &scene, const unsigned int n, const bool is_thin = true)
   {
+    const auto triangle = [&](const Vec3 &a, const Vec3 &b, const Vec3 &c) {
+      return is_thin ? thin_polygon({a, b, c})
+                     : make_polygon({a, b, c}, a + Vec3{0., 0., 1.});
+    };
     const double side = .02 / n;
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
@@ -73,14 +76,20 @@ namespace
 
 TEST(GrainWalls, ImpactsAreTheSameOnAPlaneAndOnAnyTriangles)
 {
-  for (const unsigned int n : {1u, 10u, 64u})
-    for (const auto &[x, y] : std::vector<std::pair<double, double>>{
-           {.0031, .0017}, {0., 0.}, {.002, .0011}, {.002, .002}})
-      expect_equal(bounce(x, y, plane),
-                   bounce(x,
-                          y,
-                          [&](GrainScene &scene) { add_square(scene, n); }),
-                   1e-12);
+  for (const auto &[x, y] : std::vector<std::pair<double, double>>{
+         {.0031, .0017}, {0., 0.}, {.002, .0011}, {.002, .002}})
+    {
+      const GrainRecord expected = bounce(x, y, plane);
+      for (const bool is_thin : {false, true})
+        for (const unsigned int n : {1u, 10u, 100u})
+          expect_equal(expected,
+                       bounce(x,
+                              y,
+                              [&](GrainScene &scene) {
+                                add_square(scene, n, is_thin);
+                              }),
+                       1e-12);
+    }
 }
 
 
@@ -103,7 +112,7 @@ TEST(GrainWalls, ABallKeepsItsVelocityWhileItRollsOverTriangles)
   scene.advance(9000, 1e-5, {0., 0., -9.81});
   const GrainRecord after = scene.grain(0);
   EXPECT_GT(norm(after.x - before.x), .009);
-  EXPECT_LT(norm(after.v - before.v), 1e-6 * norm(before.v));
+  EXPECT_LT(norm(after.v - before.v), 1e-10 * norm(before.v));
 }
 
 
@@ -142,6 +151,106 @@ TEST(GrainWalls, CornersAreTouchedTwoOrThreeTimesAndConvexEdgesOnce)
   EXPECT_EQ(n_touches(plate, {-1.1 * r, .5 * L, 0.}), 0u);
   EXPECT_EQ(n_touches(plate, {-.8 * r, .5 * L, .8 * r}), 0u);
   EXPECT_EQ(n_touches(plate, {-.8 * r, .5 * L, .1 * r}), 1u);
+}
+
+
+
+TEST(GrainWalls, ConesAreTouchedAtTheNearestPointOfTheirLines)
+{
+  const Vec3 nothing{0., 0., 0.};
+  const Wall wall{nothing, nothing, nothing, 0, true};
+  // From a radius of 1 cm at z = 0 to one of 2 cm at z = 1 cm.
+  Facet cone{};
+  cone.kind        = Facet::Kind::cone;
+  cone.normal      = {0., 0., 1.};
+  cone.radius      = .01;
+  cone.end_radius  = .02;
+  cone.length      = .01;
+  const auto touch = [&](const Vec3 &x, FacetTouch *touches) {
+    std::vector<Facet> facets{cone, cone};
+    facets[1].is_opposite = true;
+    const std::uint32_t all[]{0, 1};
+    return visible_touches(facets.data(), &wall, all, 2, {x, r}, touches);
+  };
+  FacetTouch   touches[most_touches];
+  const double root = std::sqrt(.5), height = .7 * r;
+  // In front of the middle of a line, inside and outside.
+  for (const double side : {1., -1.})
+    {
+      const Vec3 x =
+        Vec3{0., .015, .005} + (side * height * root) * Vec3{0., -1., 1.};
+      EXPECT_NEAR(distance_from(cone, x), height, 1e-15);
+      ASSERT_EQ(touch(x, touches), 1u);
+      EXPECT_NEAR(touches[0].overlap, r - height, 1e-15);
+      EXPECT_NEAR(touches[0].normal.y, -side * root, 1e-12);
+      EXPECT_NEAR(touches[0].normal.z, side * root, 1e-12);
+    }
+  // Below its end, and where nothing is.
+  ASSERT_EQ(touch({.01, 0., -height}, touches), 1u);
+  EXPECT_NEAR(touches[0].normal.z, -1., 1e-12);
+  EXPECT_EQ(touch({0., 0., .005}, touches), 0u);
+  EXPECT_EQ(touch({0., .01, -1.1 * r}, touches), 0u);
+  // A narrow one holds a grain on its axis from both sides.
+  cone.radius     = 0.;
+  cone.end_radius = .01;
+  ASSERT_EQ(touch({0., 0., r}, touches), 2u);
+  EXPECT_NEAR(touches[0].overlap, r * (1. - root), 1e-15);
+  EXPECT_NEAR(norm(touches[0].normal + touches[1].normal -
+                   Vec3{0., 0., 2. * root}),
+              0.,
+              1e-12);
+}
+
+
+
+TEST(GrainWalls, SurfacesAreReadFromFilesAndRefusedWithAReason)
+{
+  const std::string path = own_path("surface");
+  const auto        read = [&](const std::string &ending,
+                        const std::string &text) -> std::string {
+    const std::string name = path + ending;
+    std::ofstream(name, std::ios::binary) << text;
+    std::string complaint;
+    try
+      {
+        complaint = std::to_string(read_triangles(name).size());
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        complaint = message_of(exception);
+      }
+    std::remove(name.c_str());
+    return complaint;
+  };
+  const auto expect = [&](const std::string &ending,
+                          const std::string &text,
+                          const std::string &answer) {
+    EXPECT_NE(read(ending, text).find(answer), std::string::npos)
+      << read(ending, text);
+  };
+  const std::string facet = "facet normal 0 0 0\nouter loop\nvertex 0 0 0\n"
+                            "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  expect(".stl", "solid a b\n" + facet + facet + "endsolid a\n", "2");
+  expect(".STL", "solid\n" + facet, "is it complete?");
+  expect(".stl",
+         "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0",
+         "finite");
+  expect(".stl", "solid\nendsolid\n", "no triangle with an area");
+  expect(".stl", "", "is empty");
+  expect(".ply", "ply", "'.stl' or '.obj'");
+  std::string binary(84, ' ');
+  const char  n[]{2, 0, 0, 0};
+  const float numbers[12]{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  std::string one(50, '\0');
+  binary.replace(80, 4, n, 4);
+  one.replace(0, 48, reinterpret_cast<const char *>(numbers), 48);
+  expect(".stl", binary + one + one, "2");
+  expect(".stl", binary + one, "134 bytes, and 2 triangles need 184");
+  expect(".stl", "short", "is it complete?");
+  const std::string vertices = "# a\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nv 0 1 0\n";
+  expect(".obj", vertices + "vn 0 0 1\nf 1/1 2/2 3 4//1\nf -1 -2 -3", "3");
+  expect(".obj", vertices + "f 1 2 5\n", "'5' of a face is none of the 4");
+  expect(".obj", vertices + "f 1 2\n", "fewer than three");
 }
 
 

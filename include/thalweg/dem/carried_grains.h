@@ -58,7 +58,7 @@ namespace Thalweg
     void
     end_to_unpack() override
     {
-      grains.restore(std::move(received), false);
+      grains.restore(received);
       received = GrainSet();
     }
 

@@ -4,6 +4,7 @@
 
 #include <thalweg/dem/grain_materials.h>
 #include <thalweg/dem/mesh_locator.h>
+#include <thalweg/dem/wall_list.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -61,6 +62,7 @@ namespace Thalweg
      * @param n how often some have come before
      * @param first_id number of the first one
      * @param present those that are there, of this rank
+     * @param walls from which they keep away, besides the boundary
      * @throws dealii::ExcMessage if there is no room for the number asked for
      */
     std::vector<GrainRecord>
@@ -69,7 +71,8 @@ namespace Thalweg
          const GrainMaterials          &materials,
          const unsigned int             n,
          const std::uint64_t            first_id,
-         const std::vector<GrainPlace> &present) const;
+         const std::vector<GrainPlace> &present,
+         const WallSet                 &walls) const;
 
     /// m
     double
@@ -96,7 +99,8 @@ namespace Thalweg
     at_random(const Mesh<dim>               &mesh,
               const MeshLocator<dim>        &locator,
               RandomNumbers                 &random,
-              const std::vector<GrainPlace> &present) const;
+              const std::vector<GrainPlace> &present,
+              const WallSet                 &walls) const;
 
     bool
     is_in_region(const Vec3 &x) const;

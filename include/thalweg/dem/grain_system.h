@@ -98,7 +98,7 @@ namespace Thalweg
 
     /// Makes these all that there is and the lists as they were. Collective.
     void
-    restore(GrainSet set, const bool on_same_mesh);
+    restore(const GrainSet &set);
 
     /// Adds grains and makes all lists anew. Collective.
     void
@@ -116,12 +116,14 @@ namespace Thalweg
      * @param acceleration of all grains, m/s^2
      * @param before_contacts is called with the number of the step when grains
      *   have moved, for what acts on them besides contacts
+     * @param time at the beginning, for walls that move, s
      */
     void
     advance(const unsigned int                             n_steps,
             const double                                   dt,
             const Vec3                                    &acceleration,
-            const std::function<void(const unsigned int)> &before_contacts);
+            const std::function<void(const unsigned int)> &before_contacts,
+            const double                                   time = 0.);
 
     /// Adds a force to each of this rank's grains: @p force is called with place,
     /// velocity and mass.
@@ -235,13 +237,14 @@ namespace Thalweg
     prune();
 
     /// Whether lists hold after a step, and what to do if not.
+    /// @param way of the fastest grain of this rank and of walls, m
     void
-    check_lists(const double speed_square, const double dt);
+    check_lists(const double way);
 
     void
     add_contacts(const double dt);
 
-    /// How far this rank's grains are from their references, m, at the most.
+    /// How far grains and walls are from their references, m, at the most.
     double
     farthest() const;
 
@@ -264,6 +267,7 @@ namespace Thalweg
     double                     travelled_since_pruning = 0.; ///< m
     bool                       is_in_step              = false;
     std::vector<std::uint32_t> own_places, own_cells;
+    std::vector<std::uint32_t> moving_facets; ///< that are near own grains
     std::vector<GoneGrain>     gone;
   };
 } // namespace Thalweg

@@ -3,20 +3,13 @@
 #define thalweg_dem_wall_list_h
 
 #include <thalweg/dem/wall_loop.h>
+#include <thalweg/dem/wall_set.h>
 
 #include <unordered_map>
 #include <vector>
 
 namespace Thalweg
 {
-  /// All walls with their facets, the same on all ranks.
-  struct WallSet
-  {
-    std::vector<Facet>     facets;
-    std::vector<Wall>      walls;
-    std::vector<WallForce> forces; ///< on each wall, by this rank's grains
-  };
-
   /**
    * @brief Which facets are near a place: those that are small are found in a
    * grid, the others looked at one by one.
@@ -73,7 +66,7 @@ namespace Thalweg
     {
       std::size_t n = 0;
       while (n < begin[row + 1] - begin[row] &&
-             memory[begin[row] + n].wall != no_facet)
+             memory[begin[row] + n].wall != no_wall)
         ++n;
       return n;
     }

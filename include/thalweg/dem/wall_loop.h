@@ -13,8 +13,7 @@ namespace Thalweg
   {
     ContactMemory springs;
     Vec3          normal;
-    std::uint32_t facet = no_facet; ///< no_facet: of a mesh that is gone
-    std::uint32_t wall  = no_facet; ///< no_facet: nothing is remembered
+    std::uint32_t wall = no_wall; ///< no_wall: nothing is remembered
   };
 
   /// What the loop over contacts with walls works on.
@@ -41,8 +40,8 @@ namespace Thalweg
 
 
 
-  /// The memory of a contact that was of this facet in the last step, or of the
-  /// nearest direction: histories pass from face to face.
+  /// The memory of the contact with this wall that was of the nearest direction
+  /// in the last step: histories pass from face to face.
   THALWEG_INLINE ContactMemory
   recall(const WallMemory  *old,
          const unsigned int n_old,
@@ -52,15 +51,10 @@ namespace Thalweg
     unsigned int best        = n_old;
     double       dot_of_best = .8;
     for (unsigned int m = 0; m < n_old; ++m)
-      if (!is_taken[m])
+      if (!is_taken[m] && old[m].wall == touch.wall)
         {
-          if (old[m].facet == touch.facet)
-            {
-              best = m;
-              break;
-            }
           const double similar = dot(old[m].normal, touch.normal);
-          if (old[m].wall == touch.wall && similar > dot_of_best)
+          if (similar > dot_of_best)
             {
               best        = m;
               dot_of_best = similar;
@@ -90,7 +84,7 @@ namespace Thalweg
     const double       mass     = 1. / grain.inverse_mass;
     const double       arm      = r - touch.overlap;
     const Vec3         point    = loop.place[i].x - arm * touch.normal;
-    const Vec3         speed    = wall.velocity_at(point);
+    const Vec3         speed    = wall.velocity_at(point, touch.normal);
     const Vec3         relative = grain.v - speed;
     ContactState       state;
     state.normal   = touch.normal;
@@ -119,7 +113,7 @@ namespace Thalweg
         *loop.wall_work +=
           loop.dt * (dot(result.force, speed) + dot(result.torque, wall.w));
       }
-    return {memory, touch.normal, touch.facet, touch.wall};
+    return {memory, touch.normal, touch.wall};
   }
 
 
@@ -150,8 +144,8 @@ namespace Thalweg
         WallMemory          old[most_touches];
         bool                is_taken[most_touches];
         unsigned int        n_old = 0;
-        for (; n_old < n && n_old < most_touches &&
-               memory[n_old].wall != no_facet;
+        for (;
+             n_old < n && n_old < most_touches && memory[n_old].wall != no_wall;
              ++n_old)
           {
             old[n_old]      = memory[n_old];
@@ -166,7 +160,7 @@ namespace Thalweg
             recall(old, n_old, is_taken, touches[t]),
             work);
         for (unsigned int t = n_touches; t < n_old; ++t)
-          memory[t].wall = no_facet;
+          memory[t].wall = no_wall;
       }
     if constexpr (counts)
       {

@@ -6,6 +6,7 @@
 #include <thalweg/dem/boundary_facets.h>
 #include <thalweg/dem/grain_insertion.h>
 #include <thalweg/dem/grain_materials.h>
+#include <thalweg/dem/grain_walls.h>
 
 #include <set>
 #include <string>
@@ -39,7 +40,8 @@ namespace Thalweg
     std::set<unsigned int>
     open_boundaries(const Mesh<dim> &mesh) const;
 
-    /// Makes the walls. @param boundary of the mesh
+    /// Makes the walls; those that have moved stay where they are.
+    /// @param boundary of the mesh
     /// @param names are set to those of the walls
     void
     make_walls(const Mesh<dim>                  &mesh,
@@ -60,6 +62,7 @@ namespace Thalweg
     std::string              wall_material;
     std::vector<std::string> open;
     std::string              planes;
+    GrainWalls               own_walls;
 
   private:
     /// A plane out of "x, y, z: nx, ny, nz".

@@ -47,6 +47,14 @@ namespace Thalweg
       parameters.check_on_mesh(mesh, faults);
     }
 
+    std::vector<std::string>
+    warnings(const Mesh<dim> &mesh, const double) const override
+    {
+      return parameters.own_walls.warnings(dim,
+                                           as_vec3(mesh.box().first),
+                                           as_vec3(mesh.box().second));
+    }
+
     using Method<dim>::publish;
 
     void
@@ -121,7 +129,11 @@ namespace Thalweg
 
     /// How many equal sub-steps a step has, in s. Collective.
     unsigned int
-    n_steps_in(const double dt) const;
+    n_steps_in(const double time, const double dt) const;
+
+    /// Names where walls are that move.
+    void
+    keep_walls(const Archive &values);
 
     /// The fastest grain, m/s. Collective.
     double

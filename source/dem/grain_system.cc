@@ -200,6 +200,7 @@ namespace Thalweg
   GrainSystem::add_contacts(const double dt)
   {
     ContactWork work;
+    double      wall_work = 0.;
     PairLoop    pairs{arrays.size(),
                    arrays.place.data(),
                    arrays.motion.data(),
@@ -233,13 +234,16 @@ namespace Thalweg
                       inertia_factor(),
                       dt,
                       &work,
-                      &counts.wall_work};
+                      &wall_work};
     for (WallForce &force : walls.forces)
       force = {{0., 0., 0.}, {0., 0., 0.}};
     law.add_walls(at_walls, settings.counts);
     counts.work.normal += work.normal;
     counts.work.tangential += work.tangential;
     counts.work.rolling += work.rolling;
+    counts.wall_work += wall_work;
+    counts.last_work      = work;
+    counts.last_wall_work = wall_work;
   }
 
 

@@ -14,15 +14,21 @@ namespace Thalweg
                GrainSums       &sums)
     {
       const GrainArrays &grains = view.system.grains();
+      const double       half   = .5 * view.sub_step;
       for (const std::uint32_t i : view.system.own())
         {
+          // The product of the velocities half a sub-step before and after:
+          // that is what leaps in the field of springs keep.
           const GrainMomentum &p    = grains.momentum[i];
           const double         mass = 1. / p.inverse_mass;
+          const Vec3           dv =
+            half * (p.inverse_mass * grains.load[i].force + gravity);
+          const Vec3 dw = (half * p.inverse_inertia) * grains.load[i].torque;
           sums.n += 1.;
           sums.mass += mass;
-          sums.translation += .5 * mass * norm_square(p.v);
+          sums.translation += .5 * mass * dot(p.v - dv, p.v + dv);
           if (p.inverse_inertia > 0.)
-            sums.rotation += .5 / p.inverse_inertia * norm_square(p.w);
+            sums.rotation += .5 / p.inverse_inertia * dot(p.w - dw, p.w + dw);
           const Vec3 way = grains.place[i].x - datum;
           sums.potential -= mass * dot(gravity, way);
           sums.momentum += mass * p.v;
@@ -45,18 +51,19 @@ namespace Thalweg
             {
               const std::uint32_t j = contacts.partner[k];
               // The other half of a pair across a border counts there.
-              const double       share = .5 * (grains.own[i] + grains.own[j]);
-              const PairGeometry pair  = pair_geometry(grains.place[i],
+              const double        share = .5 * (grains.own[i] + grains.own[j]);
+              const PairGeometry  pair  = pair_geometry(grains.place[i],
                                                       grains.place[j],
                                                       grains.motion[i],
                                                       grains.motion[j]);
-              const Vec3        *roll =
-                contacts.roll.empty() ? nullptr : &contacts.roll[k];
+              const ContactMemory memory{contacts.slip[k],
+                                         contacts.roll.empty()
+                                           ? Vec3{0., 0., 0.}
+                                           : contacts.roll[k]};
               const ElasticEnergy energy =
                 view.law.energy(grains.material[i] * n + grains.material[j],
                                 pair.touch,
-                                {contacts.slip[k],
-                                 roll == nullptr ? Vec3{0., 0., 0.} : *roll});
+                                memory_now(memory, pair.state, view.sub_step));
               sums.elastic += share * energy.normal;
               sums.sheared += share * energy.tangential;
               sums.rolled += share * energy.rolling;
@@ -95,7 +102,12 @@ namespace Thalweg
               const ElasticEnergy energy  = view.law.energy(
                 grains.material[i] * view.materials.n() + wall.material,
                 {overlap, r, 1. / grains.motion[i].inverse_mass, r - overlap},
-                list.memory[begin + t].springs);
+                memory_now(list.memory[begin + t].springs,
+                           state_at_wall(grains.place[i],
+                                         grains.motion[i],
+                                         wall,
+                                         touches[t]),
+                           view.sub_step));
               sums.elastic += energy.normal;
               sums.sheared += energy.tangential;
               sums.rolled += energy.rolling;

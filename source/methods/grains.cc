@@ -57,7 +57,8 @@ namespace Thalweg
     n_insertions = n_sub_steps_made = 0;
     next_id = n_left = n_lost = n_rebuilds = 0;
     mass_left = energy_in = energy_out = 0.;
-    lost_normal = work_tangential = work_rolling = wall_work = 0.;
+    contact_work.assign(4, 0.);
+    half_of_last.assign(4, 0.);
     insert(0.);
     sums = sum_up(host->context.communicator, *view, gravity(), datum());
   }
@@ -194,20 +195,37 @@ namespace Thalweg
     const GrainCounts before = system->counts;
     system->advance(n, sub_step, gravity(), others, time);
     n_sub_steps_made         = n;
+    view->sub_step           = sub_step;
     const GrainCounts &after = system->counts;
-    double             work[]{after.work.normal - before.work.normal,
-                              after.work.tangential - before.work.tangential,
-                              after.work.rolling - before.work.rolling,
-                              after.wall_work - before.wall_work};
-    MPI_Allreduce(
-      MPI_IN_PLACE, work, 4, MPI_DOUBLE, MPI_SUM, host->context.communicator);
-    lost_normal += work[0];
-    work_tangential += work[1];
-    work_rolling += work[2];
-    wall_work += work[3];
+    sum_up_work(before, after);
     n_rebuilds += after.n_rebuilds - before.n_rebuilds;
     count_gone();
     sums = sum_up(host->context.communicator, *view, gravity(), datum());
+  }
+
+
+
+  template <int dim>
+  void
+  Grains<dim>::sum_up_work(const GrainCounts &before, const GrainCounts &after)
+  {
+    double work[]{after.work.normal - before.work.normal,
+                  after.work.tangential - before.work.tangential,
+                  after.work.rolling - before.work.rolling,
+                  after.wall_work - before.wall_work,
+                  after.last_work.normal,
+                  after.last_work.tangential,
+                  after.last_work.rolling,
+                  after.last_wall_work};
+    MPI_Allreduce(
+      MPI_IN_PLACE, work, 8, MPI_DOUBLE, MPI_SUM, host->context.communicator);
+    for (unsigned int k = 0; k < 4; ++k)
+      {
+        // The last forces act in this step for half of a sub-step, and in the
+        // next step for the other half.
+        contact_work[k] += work[k] + half_of_last[k] - .5 * work[4 + k];
+        half_of_last[k] = .5 * work[4 + k];
+      }
   }
 
 

@@ -30,10 +30,8 @@ namespace Thalweg
     values.value("rebuilds", n_rebuilds);
     values.value("energy in", energy_in);
     values.value("energy out", energy_out);
-    values.value("lost along normals", lost_normal);
-    values.value("tangential work", work_tangential);
-    values.value("rolling work", work_rolling);
-    values.value("wall work", wall_work);
+    values.value("contact work", contact_work);
+    values.value("half of the last work", half_of_last);
     keep_walls(values);
     state.carry("grains", *carried);
   }
@@ -95,10 +93,12 @@ namespace Thalweg
   void
   Grains<dim>::record(const double)
   {
-    auto        &statistics = host->context.statistics;
-    const double elastic    = sums.elastic + sums.sheared + sums.rolled;
-    const double friction   = work_tangential - sums.sheared;
-    const double rolling    = work_rolling - sums.rolled;
+    auto        &statistics  = host->context.statistics;
+    const double elastic     = sums.elastic + sums.sheared + sums.rolled;
+    const double lost_normal = contact_work[0];
+    const double friction    = contact_work[1] - sums.sheared;
+    const double rolling     = contact_work[2] - sums.rolled;
+    const double wall_work   = contact_work[3];
     statistics.set("grains", sums.n);
     statistics.set("grains left", n_left);
     statistics.set("grains lost", n_lost);

@@ -54,6 +54,18 @@ namespace Thalweg
     Vec3 roll; ///< rad
   };
 
+  /// What springs have at the end of a step of @p dt s, of which a contact
+  /// remembers more.
+  inline ContactMemory
+  memory_now(const ContactMemory &memory,
+             const ContactState  &state,
+             const double         dt)
+  {
+    const Vec3 spin = state.spin - dot(state.spin, state.normal) * state.normal;
+    return {memory.slip - (.5 * dt) * state.slip,
+            memory.roll - (.5 * dt) * spin};
+  }
+
   /// What went out of the motion, J: in the dashpot along the normal; in
   /// springs, dashpots and slip at right angles to it; in rolling.
   struct ContactWork
@@ -93,6 +105,8 @@ namespace Thalweg
    * remembered is ahead of it by half a step.
    * @param memory is turned with the pair before
    * @param limit greatest force, N
+   * @param limit_rate what that grows by in a second, N/s
+   * @param inverse_mass of what the force moves at right angles, 1/kg
    * @param work is increased by what went into spring, dashpot and slip, J, if
    *   @p counts
    */
@@ -101,6 +115,8 @@ namespace Thalweg
   friction_force(const Response &response,
                  const Vec3     &slip,
                  const double    limit,
+                 const double    limit_rate,
+                 const double    inverse_mass,
                  const double    dt,
                  Vec3           &memory,
                  double         &work)
@@ -117,7 +133,13 @@ namespace Thalweg
     force  = kept * force;
     memory = spring + half;
     if constexpr (counts)
-      work -= dt * dot(force, slip);
+      {
+        // The force acts with the mean of the velocities before and after its
+        // kick; what is known was extrapolated with the force before.
+        const Vec3 rate = kept < 1. ? (limit_rate / (limit + 1e-300)) * force
+                                    : -(response.tangential_stiffness * slip);
+        work -= dt * dot(force, slip + (.5 * dt * dt * inverse_mass) * rate);
+      }
     return force;
   }
 } // namespace Thalweg

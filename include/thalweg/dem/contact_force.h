@@ -14,6 +14,44 @@ namespace Thalweg
     Friction                friction;
   };
 
+  /// By what forces count in the first steps of a contact, and in its last.
+  struct Onset
+  {
+    double spring, dashpot;
+    double jump; ///< of the latter since the step before
+  };
+
+  /**
+   * @brief Contacts begin and end within a step. Forces of springs grow from
+   * there on, those of dashpots and of adhesion are there at once, so that the
+   * trapezoidal rule for their impulse misses a part of either, which the first
+   * and the last steps make good. At the end this comes without a jump: whether
+   * another step is still one of contact cannot be foreseen exactly.
+   * @param approach velocity, m/s; negative where surfaces near each other
+   */
+  THALWEG_INLINE Onset
+  contact_onset(const double overlap, const double approach, const double dt)
+  {
+    // Steps since the beginning, or until the end.
+    const double n      = overlap / (std::abs(approach) * dt + 1e-300);
+    const double spring = n < 1. ? .5 + .5 * n : 1.;
+    if (approach < 0.)
+      return {spring,
+              n < 1. ? .5 + n : 1.,
+              n < 1.   ? .5 + n
+              : n < 2. ? 1.5 - n
+                       : 0.};
+    return {spring,
+            n < 1.   ? 1.5 * n
+            : n < 2. ? 2. - .5 * n
+                     : 1.,
+            n < 1.   ? 2. * n - 1.5
+            : n < 2. ? 1. - .5 * n
+                     : 0.};
+  }
+
+
+
   /**
    * @brief The force of a contact, of two grains or of a grain and a wall alike.
    *
@@ -34,28 +72,46 @@ namespace Thalweg
                 ContactWork              &work)
   {
     const Response response = Law::respond(constants.law, touch);
-    // A dashpot pulls as soon as surfaces meet and until they part. In the step
-    // in which that happens it acts for a part of the time, or a longer one
-    // than the step: else the restitution depends on when contacts begin.
-    const double n_steps =
-      touch.overlap / (std::abs(state.approach) * dt + 1e-300);
-    const double damping =
-      (n_steps < 1. ? .5 + n_steps : 1.) * response.damping;
-    const double normal = response.elastic - damping * state.approach;
+    const Onset    onset    = contact_onset(touch.overlap, state.approach, dt);
+    // The velocity is extrapolated from the middle of the step with the forces
+    // at its beginning; these have changed since, as springs and dashpots say.
+    const double inverse_mass = 1. / touch.effective_mass;
+    const double kick         = dt * inverse_mass * response.damping;
+    const double change =
+      .5 * dt * dt * inverse_mass * response.stiffness + .125 * kick * kick;
+    // Nor does it know that the part of the dashpot changes in the last steps.
+    const double part =
+      state.approach < 0.
+        ? onset.dashpot
+        : onset.dashpot * std::max(0., 1. - kick * onset.jump);
+    const double damping = part / (1. + change) * response.damping;
+    const double spring  = response.elastic + response.adhesion;
+    const double normal  = onset.spring * spring -
+                          onset.dashpot * response.adhesion -
+                          damping * state.approach;
     if constexpr (counts)
-      work.normal += damping * state.approach * state.approach * dt;
+      {
+        // With the mean of the velocities before and after the kick.
+        const double jump = part - onset.dashpot + onset.jump;
+        const double mean =
+          state.approach * (1. / (1. + change) - .5 * kick * jump);
+        work.normal += damping * state.approach * mean * dt;
+      }
     ContactForce result{normal * state.normal, {0., 0., 0.}, {0., 0., 0.}};
     const double load = std::max(0., normal + response.adhesion);
     if (constants.friction.sliding > 0.)
       {
         turn(memory.slip, state.normal);
-        result.friction =
-          friction_force<counts>(response,
-                                 state.slip,
-                                 constants.friction.sliding * load,
-                                 dt,
-                                 memory.slip,
-                                 work.tangential);
+        result.friction = friction_force<counts>(
+          response,
+          state.slip,
+          constants.friction.sliding * load,
+          -constants.friction.sliding * response.stiffness * state.approach,
+          inverse_mass +
+            touch.effective_radius * touch.effective_radius / inertia,
+          dt,
+          memory.slip,
+          work.tangential);
         result.force += result.friction;
       }
     if constexpr (Rolling::resists)

@@ -69,6 +69,9 @@ namespace Thalweg
     std::uint64_t n_rebuilds = 0, n_prunes = 0;
     ContactWork   work;
     double        wall_work = 0.; ///< of moving walls on grains, J
+    /// Of the last forces, which have acted for half of their step only.
+    ContactWork last_work;
+    double      last_wall_work = 0.; ///< J
   };
 
   /**

@@ -68,6 +68,27 @@ namespace Thalweg
 
 
 
+  /// How a grain moves against the wall that it touches.
+  THALWEG_INLINE ContactState
+  state_at_wall(const GrainPlace  &place,
+                const GrainMotion &grain,
+                const Wall        &wall,
+                const FacetTouch  &touch)
+  {
+    const double arm      = place.r - touch.overlap;
+    const Vec3   point    = place.x - arm * touch.normal;
+    const Vec3   relative = grain.v - wall.velocity_at(point, touch.normal);
+    ContactState state;
+    state.normal   = touch.normal;
+    state.approach = dot(relative, state.normal);
+    state.spin     = grain.w - wall.w;
+    state.slip     = relative - state.approach * state.normal -
+                 cross(arm * grain.w, state.normal);
+    return state;
+  }
+
+
+
   /// The force of one contact with a wall on a grain.
   template <typename Law, typename Rolling, bool counts>
   THALWEG_INLINE WallMemory
@@ -78,20 +99,13 @@ namespace Thalweg
              ContactMemory             memory,
              ContactWork              &work)
   {
-    const GrainMotion &grain    = loop.motion[i];
-    const Wall        &wall     = loop.walls[touch.wall];
-    const double       r        = loop.place[i].r;
-    const double       mass     = 1. / grain.inverse_mass;
-    const double       arm      = r - touch.overlap;
-    const Vec3         point    = loop.place[i].x - arm * touch.normal;
-    const Vec3         speed    = wall.velocity_at(point, touch.normal);
-    const Vec3         relative = grain.v - speed;
-    ContactState       state;
-    state.normal   = touch.normal;
-    state.approach = dot(relative, state.normal);
-    state.spin     = grain.w - wall.w;
-    state.slip     = relative - state.approach * state.normal -
-                 cross(arm * grain.w, state.normal);
+    const GrainMotion &grain = loop.motion[i];
+    const Wall        &wall  = loop.walls[touch.wall];
+    const double       r     = loop.place[i].r;
+    const double       mass  = 1. / grain.inverse_mass;
+    const double       arm   = r - touch.overlap;
+    const Vec3         point = loop.place[i].x - arm * touch.normal;
+    const ContactState state = state_at_wall(loop.place[i], grain, wall, touch);
     const ContactForce result = contact_force<Law, Rolling, counts>(
       constants[loop.material[i] * loop.n_materials + wall.material],
       {touch.overlap, r, mass, arm},
@@ -111,7 +125,8 @@ namespace Thalweg
         on_wall.torque -=
           cross(point - wall.center, result.force) + result.torque;
         *loop.wall_work +=
-          loop.dt * (dot(result.force, speed) + dot(result.torque, wall.w));
+          loop.dt * (dot(result.force, wall.velocity_at(point, touch.normal)) +
+                     dot(result.torque, wall.w));
       }
     return {memory, touch.normal, touch.wall};
   }

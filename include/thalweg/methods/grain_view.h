@@ -17,8 +17,9 @@ namespace Thalweg
     const GrainMaterials    &materials;
     const ContactLaw        &law;
     const WallSet           &walls;
-    std::vector<std::string> wall_names; ///< of walls.walls
-    std::vector<GoneGrain>   gone;       ///< in the last step, on this rank
+    std::vector<std::string> wall_names;    ///< of walls.walls
+    std::vector<GoneGrain>   gone;          ///< in the last step, on this rank
+    double                   sub_step = 0.; ///< the last one, s
   };
 } // namespace Thalweg
 

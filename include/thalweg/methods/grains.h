@@ -123,6 +123,10 @@ namespace Thalweg
     void
     insert(const double time);
 
+    /// Sums up what contacts did in a step. Collective.
+    void
+    sum_up_work(const GrainCounts &before, const GrainCounts &after);
+
     /// Takes account of grains that went.
     void
     count_gone();
@@ -179,8 +183,10 @@ namespace Thalweg
     std::uint64_t next_id = 0, n_left = 0, n_lost = 0, n_rebuilds = 0;
     double        mass_left = 0.;                  ///< kg
     double        energy_in = 0., energy_out = 0.; ///< J
-    double        lost_normal = 0., work_tangential = 0., work_rolling = 0.;
-    double        wall_work = 0.; ///< J
+    /// J, along normals (but what springs have), at right angles, in rolling,
+    /// and of walls; and what half of a sub-step adds, which is to come.
+    std::vector<double> contact_work = std::vector<double>(4, 0.);
+    std::vector<double> half_of_last = std::vector<double>(4, 0.);
   };
 } // namespace Thalweg
 

@@ -214,13 +214,20 @@ namespace Thalweg
                                  const MeshLocator<dim>        &locator,
                                  RandomNumbers                 &random,
                                  const std::vector<GrainPlace> &present,
-                                 const WallSet                 &walls) const
+                                 const WallSet                 &walls,
+                                 const StreamGoal              &wanted) const
   {
+    std::vector<GrainPlace> places;
+
+    double     mass    = 0.;
+    const auto is_done = [&]() {
+      return wanted.density > 0. ? mass >= wanted.mass
+                                 : places.size() >= wanted.number;
+    };
     Occupancy taken(largest_diameter());
     const auto &[lower, upper] = mesh.box();
-    std::vector<GrainPlace> places;
-    unsigned int            in_vain = 0;
-    while (places.size() < number)
+    unsigned int in_vain       = 0;
+    while (!is_done())
       {
         std::vector<GrainPlace> trials;
         while (trials.size() < batch)
@@ -237,12 +244,15 @@ namespace Thalweg
         take_out_at_walls(trials, walls, is_free);
         take_out_overlapping(mesh, trials, present, is_free);
         const std::size_t before = places.size();
-        for (unsigned int t = 0; t < batch && places.size() < number; ++t)
+        for (unsigned int t = 0; t < batch && !is_done(); ++t)
           if (is_free[t] != 0 && is_in_region(trials[t].x) &&
               taken.is_free(trials[t]))
             {
               taken.add(trials[t]);
               places.push_back(trials[t]);
+              const double r = trials[t].r;
+              mass +=
+                wanted.density * M_PI * r * r * (dim == 3 ? 4. / 3. * r : 1.);
             }
         in_vain = places.size() > before ? 0 : in_vain + batch;
         if (in_vain > most_trials * 100)
@@ -254,11 +264,58 @@ namespace Thalweg
 
 
   template <int dim>
+  unsigned int
+  GrainInsertion<dim>::material_number(const GrainMaterials &materials) const
+  {
+    return material.empty() ? 0
+                            : materials.find(material, "Insertion/Material");
+  }
+
+
+
+  template <int dim>
+  void
+  GrainInsertion<dim>::check_room(const std::vector<GrainPlace> &places,
+                                  const StreamGoal              &wanted,
+                                  const std::string             &extent) const
+  {
+    double volume = 0.;
+    for (const GrainPlace &place : places)
+      volume += M_PI * place.r * place.r * (dim == 3 ? 4. / 3. * place.r : 1.);
+    const std::string found = "'Insertion/Region' has room for " +
+                              std::to_string(places.size()) + " grains of ";
+    const std::string too_fast =
+      " that are to come in in an interval: the stream is faster than its "
+      "region can take. Give it a larger one, or a velocity with which grains "
+      "leave it.";
+    if (wanted.density > 0.)
+      {
+        AssertThrow(wanted.density * volume >= wanted.mass,
+                    dealii::ExcMessage(found + "the " +
+                                       std::to_string(wanted.mass) + " kg" +
+                                       too_fast));
+        return;
+      }
+    AssertThrow(!is_stream() || places.size() >= wanted.number,
+                dealii::ExcMessage(found + "the " +
+                                   std::to_string(wanted.number) + too_fast));
+    AssertThrow(is_stream() || (places.size() >= number && !places.empty()),
+                dealii::ExcMessage(
+                  found + "the " +
+                  (number > 0 ? std::to_string(number) + " " : "") +
+                  "that are to come in: it must be in the domain " + extent +
+                  " and large enough."));
+  }
+
+
+
+  template <int dim>
   std::vector<GrainRecord>
   GrainInsertion<dim>::make(const Mesh<dim>               &mesh,
                             const MeshLocator<dim>        &locator,
                             const GrainMaterials          &materials,
                             const unsigned int             n,
+                            const double                   mass_before,
                             const std::uint64_t            first_id,
                             const std::vector<GrainPlace> &present,
                             const WallSet                 &walls) const
@@ -268,8 +325,15 @@ namespace Thalweg
     region_function->set_time(time);
     RandomNumbers           random(seed * 1000003ull + n);
     std::vector<GrainPlace> places;
+    StreamGoal              wanted{number};
+    if (mass_rate > 0.)
+      wanted = {0,
+                mass_rate * (n + 1.) * interval - mass_before,
+                materials.densities()[material_number(materials)]};
+    else if (number_rate > 0.)
+      wanted.number = number_of_stream(n);
     if (pattern == "random")
-      places = at_random(mesh, locator, random, present, walls);
+      places = at_random(mesh, locator, random, present, walls, wanted);
     else
       {
         const auto        all  = on_lattice(mesh, random);
@@ -280,13 +344,7 @@ namespace Thalweg
           if (room[i] != 0 && (number == 0 || places.size() < number))
             places.push_back(all[i]);
       }
-    AssertThrow(places.size() >= number && !places.empty(),
-                dealii::ExcMessage(
-                  "'Insertion/Region' has room for " +
-                  std::to_string(places.size()) + " grains of the " +
-                  (number > 0 ? std::to_string(number) + " " : "") +
-                  "that are to come in: it must be in the domain " +
-                  mesh.extent() + " and large enough."));
+    check_room(places, wanted, mesh.extent());
     const auto v = parse_expression<dim>(velocity, dim, "Insertion/Velocity");
     const auto w =
       parse_expression<dim>(spin, dim == 3 ? 3 : 1, "Insertion/Spin");
@@ -304,9 +362,7 @@ namespace Thalweg
                           nothing,
                           x,
                           r,
-                          material.empty()
-                            ? 0
-                            : materials.find(material, "Insertion/Material"),
+                          material_number(materials),
                           0};
         const auto  p = as_point<dim>(x);
         grain.v       = {v->value(p, 0),
@@ -327,6 +383,7 @@ namespace Thalweg
                           const MeshLocator<2> &,
                           const GrainMaterials &,
                           const unsigned int,
+                          const double,
                           const std::uint64_t,
                           const std::vector<GrainPlace> &,
                           const WallSet &) const;
@@ -335,6 +392,7 @@ namespace Thalweg
                           const MeshLocator<3> &,
                           const GrainMaterials &,
                           const unsigned int,
+                          const double,
                           const std::uint64_t,
                           const std::vector<GrainPlace> &,
                           const WallSet &) const;

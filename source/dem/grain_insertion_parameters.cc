@@ -68,6 +68,16 @@ namespace Thalweg
     section.add(
       "Spin", spin, "rad/s", "Likewise; one component in 2D.", Anything());
     section.add("Seed", seed, "", "Another one gives other random numbers.");
+    declare_times(section);
+  }
+
+
+
+  template <int dim>
+  void
+  GrainInsertion<dim>::declare_times(const Section &section)
+  {
+    using dealii::Patterns::Double;
     section.add("First time", first, "s", "When grains come in.", Double(0));
     section.add("Interval",
                 interval,
@@ -78,6 +88,20 @@ namespace Thalweg
                 last,
                 "s",
                 "No more come in after this; 0: they do to the end.",
+                Double(0));
+    section.add(
+      "Number rate",
+      number_rate,
+      "1/s",
+      "A stream: so many come in each second, at random places of the "
+      "region, in each interval those that are due in it. It must be "
+      "short enough that there is room: what came in before must "
+      "have left the region.",
+      Double(0));
+    section.add("Mass rate",
+                mass_rate,
+                "kg/s",
+                "The same by mass; in 2D of discs of unit length.",
                 Double(0));
   }
 
@@ -104,7 +128,8 @@ namespace Thalweg
                   (sizes != "normal" || 3. * spread < diameter),
                 dealii::ExcMessage("'Insertion/Spread' is so large that "
                                    "diameters reach zero."));
-    AssertThrow(pattern != "random" || number > 0,
+    check_stream();
+    AssertThrow(pattern != "random" || number > 0 || is_stream(),
                 dealii::ExcMessage("'Insertion/Pattern' is 'random', which "
                                    "needs a 'Number' above 0."));
     AssertThrow(pattern != "lattice" || spacing == 0. ||
@@ -117,6 +142,36 @@ namespace Thalweg
                                    "come in at intervals, and not before the "
                                    "first ones: give an 'Interval', or leave "
                                    "it out."));
+  }
+
+
+
+  template <int dim>
+  void
+  GrainInsertion<dim>::check_stream() const
+  {
+    AssertThrow(number_rate == 0. || mass_rate == 0.,
+                dealii::ExcMessage(
+                  "'Insertion/Number rate' and 'Mass rate' "
+                  "are both given: a stream has one of them."));
+    AssertThrow(!is_stream() || interval > 0.,
+                dealii::ExcMessage("A stream needs an 'Insertion/Interval' "
+                                   "above 0, at which grains come in."));
+    AssertThrow(!is_stream() || (pattern == "random" && number == 0),
+                dealii::ExcMessage("A stream needs 'Insertion/Pattern = "
+                                   "random' and no 'Number', which follows "
+                                   "from its rate."));
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  GrainInsertion<dim>::number_of_stream(const unsigned int n) const
+  {
+    const double a_time = number_rate * interval;
+    return static_cast<std::size_t>(std::floor((n + 1.) * a_time + 1e-9)) -
+           static_cast<std::size_t>(std::floor(n * a_time + 1e-9));
   }
 
 
@@ -182,6 +237,8 @@ namespace Thalweg
   GrainInsertion<2>::check_on_mesh(const Mesh<2> &) const;
   template double
   GrainInsertion<2>::time_of(const unsigned int) const;
+  template std::size_t
+  GrainInsertion<2>::number_of_stream(const unsigned int) const;
   template double
   GrainInsertion<2>::largest_diameter() const;
   template void
@@ -192,6 +249,8 @@ namespace Thalweg
   GrainInsertion<3>::check_on_mesh(const Mesh<3> &) const;
   template double
   GrainInsertion<3>::time_of(const unsigned int) const;
+  template std::size_t
+  GrainInsertion<3>::number_of_stream(const unsigned int) const;
   template double
   GrainInsertion<3>::largest_diameter() const;
 } // namespace Thalweg

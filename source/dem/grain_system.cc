@@ -88,6 +88,26 @@ namespace Thalweg
 
 
   void
+  GrainSystem::remove(const std::function<bool(const Vec3 &)> &is_gone)
+  {
+    double n = 0.;
+    for (const std::uint32_t i : own_places)
+      n += is_gone(arrays.place[i].x);
+    if (maximum(n) == 0.)
+      return;
+    const GrainSet before = all();
+    GrainSet       after;
+    for (std::size_t g = 0; g < before.grains.size(); ++g)
+      if (is_gone(before.grains[g].x))
+        gone.push_back({before.grains[g], GrainOwner::no_boundary, false});
+      else
+        after.append(before, g);
+    begin_anew(after);
+  }
+
+
+
+  void
   GrainSystem::rebuild()
   {
     GrainSet set = all();

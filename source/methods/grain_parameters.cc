@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
 #include <thalweg/core/spelling.h>
+#include <thalweg/fields/expression.h>
 #include <thalweg/mesh/boundary_name.h>
 #include <thalweg/methods/grain_parameters.h>
 
@@ -66,7 +67,24 @@ namespace Thalweg
                 "twentieth of the time.",
                 Bool());
     insertion.declare_parameters(sections.enter("Insertion"));
-    const Section walls = sections.enter("Walls");
+    sections.enter("Removal").add(
+      "Region",
+      removal,
+      "",
+      "Grains whose centers are where this function of x, y, z and t is "
+      "positive are taken out at the beginning of each step, and counted with "
+      "those that left; nothing: none are.",
+      Anything());
+    declare_walls(sections.enter("Walls"));
+  }
+
+
+
+  template <int dim>
+  void
+  GrainParameters<dim>::declare_walls(const Section &walls)
+  {
+    using dealii::Patterns::Anything;
     walls.add("Material",
               wall_material,
               "",
@@ -96,6 +114,19 @@ namespace Thalweg
     materials.initialize();
     law->check(materials.pairs());
     law->prepare(materials.pairs(), rolling_model());
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  GrainParameters<dim>::removal_region(const double time) const
+  {
+    if (removal.empty())
+      return nullptr;
+    auto function = parse_expression<dim>(removal, 1, "Removal/Region");
+    function->set_time(time);
+    return function;
   }
 
 
@@ -185,6 +216,7 @@ namespace Thalweg
       has_materials = true;
     });
     collect_fault(faults, [&]() { read_planes(); });
+    collect_fault(faults, [&]() { removal_region(0.); });
     collect_fault(faults, [&]() { law->check({}); });
     if (!has_materials)
       return;

@@ -56,7 +56,7 @@ namespace Thalweg
     system->counts = GrainCounts();
     n_insertions = n_sub_steps_made = 0;
     next_id = n_left = n_lost = n_rebuilds = 0;
-    mass_left = energy_in = energy_out = 0.;
+    mass_in = mass_left = energy_in = energy_out = 0.;
     contact_work.assign(4, 0.);
     half_of_last.assign(4, 0.);
     insert(0.);
@@ -82,6 +82,7 @@ namespace Thalweg
                                                    *locator,
                                                    parameters.materials,
                                                    n_insertions,
+                                                   mass_in,
                                                    next_id,
                                                    present,
                                                    walls);
@@ -92,6 +93,7 @@ namespace Thalweg
         for (const GrainRecord &grain : all)
           {
             energy += energy_of_grain(*system, grain, gravity(), datum());
+            mass_in += system->mass(grain.material, grain.r);
             if (grain.id % n_ranks == rank)
               own.push_back(grain);
             smallest_radius = smallest_radius > 0.
@@ -104,6 +106,18 @@ namespace Thalweg
       }
     if (changes)
       energy_in += energy;
+  }
+
+
+
+  template <int dim>
+  void
+  Grains<dim>::remove(const double time)
+  {
+    const auto is_gone = parameters.removal_region(time);
+    if (is_gone)
+      system->remove(
+        [&](const Vec3 &x) { return is_gone->value(as_point<dim>(x)) > 0.; });
   }
 
 
@@ -184,6 +198,7 @@ namespace Thalweg
   {
     dealii::TimerOutput::Scope scope(host->context.timers, "grains");
     host->forces.set_time(time);
+    remove(time);
     insert(time);
     const unsigned int                n        = n_steps_in(time, dt);
     const double                      sub_step = dt / n;

@@ -26,6 +26,7 @@ namespace Thalweg
     values.value("travelled", system->travelled);
     values.value("left", n_left);
     values.value("lost", n_lost);
+    values.value("mass in", mass_in);
     values.value("mass left", mass_left);
     values.value("rebuilds", n_rebuilds);
     values.value("energy in", energy_in);
@@ -70,6 +71,7 @@ namespace Thalweg
     return {"grains",
             "grains left",
             "grains lost",
+            "mass in [kg]",
             "mass left [kg]",
             "sub-steps",
             "translational energy [J]",
@@ -102,6 +104,7 @@ namespace Thalweg
     statistics.set("grains", sums.n);
     statistics.set("grains left", n_left);
     statistics.set("grains lost", n_lost);
+    statistics.set("mass in [kg]", mass_in);
     statistics.set("mass left [kg]", mass_left);
     statistics.set("sub-steps", n_sub_steps_made);
     statistics.set("translational energy [J]", sums.translation);

@@ -11,22 +11,24 @@ namespace Thalweg
   /// What the laws of contact are told of one.
   struct Touch
   {
-    double overlap;          ///< m
-    double effective_radius; ///< r1 r2 / (r1 + r2), m; at walls the grain's
-    double effective_mass;   ///< m1 m2 / (m1 + m2), kg; at walls the grain's
-    double distance;         ///< of the centres, or from the wall, m
+    double overlap;           ///< m
+    double effective_radius;  ///< r1 r2 / (r1 + r2), m; at walls the grain's
+    double effective_mass;    ///< m1 m2 / (m1 + m2), kg; at walls the grain's
+    double distance;          ///< of the centres, or from the wall, m
+    double inverse_mass = 0.; ///< 1 over the effective one, 1/kg
   };
 
   /// What they answer: a force elastic - damping v_n, repulsive where positive,
   /// and the spring and dashpot at right angles to it.
   struct Response
   {
-    double elastic;              ///< N
-    double stiffness;            ///< d elastic / d overlap, N/m
-    double damping;              ///< N s/m
-    double tangential_stiffness; ///< N/m
-    double tangential_damping;   ///< N s/m
-    double adhesion;             ///< N, part of elastic: friction ignores it
+    double elastic;               ///< N
+    double stiffness;             ///< d elastic / d overlap, N/m
+    double damping;               ///< N s/m
+    double tangential_stiffness;  ///< N/m
+    double tangential_damping;    ///< N s/m
+    double adhesion;              ///< N, part of elastic: friction ignores it
+    double tangential_compliance; ///< 1 over tangential_stiffness, m/N
   };
 
   /// What holds for two materials whatever the law.
@@ -127,17 +129,20 @@ namespace Thalweg
                  response.tangential_damping * slip;
     // No branch: what slips cannot be predicted. The spring gives way by what
     // is too much.
-    const double size = std::sqrt(norm_square(force));
-    const double kept = std::min(1., limit / (size + 1e-300));
-    spring += ((1. - kept) / response.tangential_stiffness) * force;
+    const double inverse = 1. / (std::sqrt(norm_square(force)) + 1e-300);
+    const double kept    = std::min(1., limit * inverse);
+    const Vec3   asked   = force;
+    spring += ((1. - kept) * response.tangential_compliance) * force;
     force  = kept * force;
     memory = spring + half;
     if constexpr (counts)
       {
         // The force acts with the mean of the velocities before and after its
         // kick; what is known was extrapolated with the force before.
-        const Vec3 rate = kept < 1. ? (limit_rate / (limit + 1e-300)) * force
-                                    : -(response.tangential_stiffness * slip);
+        const double slides = kept < 1.; // no branch, as above
+        const Vec3   rate =
+          (slides * limit_rate * inverse) * asked -
+          ((1. - slides) * response.tangential_stiffness) * slip;
         work -= dt * dot(force, slip + (.5 * dt * dt * inverse_mass) * rate);
       }
     return force;

@@ -18,7 +18,8 @@ namespace Thalweg
   struct Onset
   {
     double spring, dashpot;
-    double jump; ///< of the latter since the step before
+    double jump;    ///< of the latter since the step before
+    double release; ///< the same where surfaces part, else zero
   };
 
   /**
@@ -32,22 +33,20 @@ namespace Thalweg
   THALWEG_INLINE Onset
   contact_onset(const double overlap, const double approach, const double dt)
   {
+    // Most contacts are far from either.
+    const double way = std::abs(approach) * dt;
+    if (overlap >= 2. * way)
+      return {1., 1., 0., 0.};
     // Steps since the beginning, or until the end.
-    const double n      = overlap / (std::abs(approach) * dt + 1e-300);
-    const double spring = n < 1. ? .5 + .5 * n : 1.;
+    const double n      = overlap / way;
+    const double spring = std::min(1., .5 + .5 * n);
     if (approach < 0.)
-      return {spring,
-              n < 1. ? .5 + n : 1.,
-              n < 1.   ? .5 + n
-              : n < 2. ? 1.5 - n
-                       : 0.};
-    return {spring,
-            n < 1.   ? 1.5 * n
-            : n < 2. ? 2. - .5 * n
-                     : 1.,
-            n < 1.   ? 2. * n - 1.5
-            : n < 2. ? 1. - .5 * n
-                     : 0.};
+      {
+        const double jump = n < 1. ? .5 + n : 1.5 - n;
+        return {spring, n < 1. ? .5 + n : 1., jump, 0.};
+      }
+    const double jump = n < 1. ? 2. * n - 1.5 : 1. - .5 * n;
+    return {spring, n < 1. ? 1.5 * n : 2. - .5 * n, jump, jump};
   }
 
 
@@ -57,6 +56,7 @@ namespace Thalweg
    *
    * @param state relative motion at the end of the step
    * @param inertia effective moment of inertia for rolling, kg m^2
+   * @param inverse_inertia_factor m r^2 / I
    * @param dt since the last time, s
    * @param memory of the contact, changed
    * @param work gets what was lost, J, if @p counts
@@ -67,6 +67,7 @@ namespace Thalweg
                 const Touch              &touch,
                 const ContactState       &state,
                 const double              inertia,
+                const double              inverse_inertia_factor,
                 const double              dt,
                 ContactMemory            &memory,
                 ContactWork              &work)
@@ -75,16 +76,14 @@ namespace Thalweg
     const Onset    onset    = contact_onset(touch.overlap, state.approach, dt);
     // The velocity is extrapolated from the middle of the step with the forces
     // at its beginning; these have changed since, as springs and dashpots say.
-    const double inverse_mass = 1. / touch.effective_mass;
+    const double inverse_mass = touch.inverse_mass;
     const double kick         = dt * inverse_mass * response.damping;
     const double change =
       .5 * dt * dt * inverse_mass * response.stiffness + .125 * kick * kick;
     // Nor does it know that the part of the dashpot changes in the last steps.
-    const double part =
-      state.approach < 0.
-        ? onset.dashpot
-        : onset.dashpot * std::max(0., 1. - kick * onset.jump);
-    const double damping = part / (1. + change) * response.damping;
+    const double part = onset.dashpot * std::max(0., 1. - kick * onset.release);
+    const double lag  = 1. - change + change * change; // 1/(1 + change)
+    const double damping = part * lag * response.damping;
     const double spring  = response.elastic + response.adhesion;
     const double normal  = onset.spring * spring -
                           onset.dashpot * response.adhesion -
@@ -93,8 +92,7 @@ namespace Thalweg
       {
         // With the mean of the velocities before and after the kick.
         const double jump = part - onset.dashpot + onset.jump;
-        const double mean =
-          state.approach * (1. / (1. + change) - .5 * kick * jump);
+        const double mean = state.approach * (lag - .5 * kick * jump);
         work.normal += damping * state.approach * mean * dt;
       }
     ContactForce result{normal * state.normal, {0., 0., 0.}, {0., 0., 0.}};
@@ -102,16 +100,16 @@ namespace Thalweg
     if (constants.friction.sliding > 0.)
       {
         turn(memory.slip, state.normal);
-        result.friction = friction_force<counts>(
-          response,
-          state.slip,
-          constants.friction.sliding * load,
-          -constants.friction.sliding * response.stiffness * state.approach,
-          inverse_mass +
-            touch.effective_radius * touch.effective_radius / inertia,
-          dt,
-          memory.slip,
-          work.tangential);
+        result.friction =
+          friction_force<counts>(response,
+                                 state.slip,
+                                 constants.friction.sliding * load,
+                                 -constants.friction.sliding *
+                                   response.stiffness * state.approach,
+                                 inverse_mass * (1. + inverse_inertia_factor),
+                                 dt,
+                                 memory.slip,
+                                 work.tangential);
         result.force += result.friction;
       }
     if constexpr (Rolling::resists)

@@ -33,6 +33,14 @@ namespace Thalweg
     std::uint64_t state;
   };
 
+  /// How much is to come in: as many grains, or as much mass at a density.
+  struct StreamGoal
+  {
+    std::size_t number;
+    double      mass    = 0.; ///< kg
+    double      density = 0.; ///< kg/m^3
+  };
+
   /**
    * @brief How grains come in: the section "Insertion".
    *
@@ -60,6 +68,7 @@ namespace Thalweg
     /**
      * @brief The grains of one time, the same on all ranks; collective.
      * @param n how often some have come before
+     * @param mass_before of a stream, that has come before, kg
      * @param first_id number of the first one
      * @param present those that are there, of this rank
      * @param walls from which they keep away, besides the boundary
@@ -70,6 +79,7 @@ namespace Thalweg
          const MeshLocator<dim>        &locator,
          const GrainMaterials          &materials,
          const unsigned int             n,
+         const double                   mass_before,
          const std::uint64_t            first_id,
          const std::vector<GrainPlace> &present,
          const WallSet                 &walls) const;
@@ -77,6 +87,13 @@ namespace Thalweg
     /// m
     double
     largest_diameter() const;
+
+    /// Whether grains come in as a stream.
+    bool
+    is_stream() const
+    {
+      return number_rate > 0. || mass_rate > 0.;
+    }
 
   private:
     /// The next radius, m.
@@ -94,16 +111,38 @@ namespace Thalweg
                          const std::vector<GrainPlace> &present,
                          std::vector<char>             &room) const;
 
-    /// Places at random that touch neither each other nor those present.
+    void
+    declare_times(const Section &section);
+
+    /// @throws dealii::ExcMessage for streams that cannot be
+    void
+    check_stream() const;
+
+    /// How many grains a stream lets in for the @p n th time.
+    std::size_t
+    number_of_stream(const unsigned int n) const;
+
+    /// Places at random that touch neither each other nor those present, until
+    /// there are @p wanted of them, or as much mass.
     std::vector<GrainPlace>
     at_random(const Mesh<dim>               &mesh,
               const MeshLocator<dim>        &locator,
               RandomNumbers                 &random,
               const std::vector<GrainPlace> &present,
-              const WallSet                 &walls) const;
+              const WallSet                 &walls,
+              const StreamGoal              &wanted) const;
 
     bool
     is_in_region(const Vec3 &x) const;
+
+    unsigned int
+    material_number(const GrainMaterials &materials) const;
+
+    /// @throws dealii::ExcMessage if fewer grains were placed than wanted
+    void
+    check_room(const std::vector<GrainPlace> &places,
+               const StreamGoal              &wanted,
+               const std::string             &extent) const;
 
     std::string  region   = "1";
     std::string  pattern  = "lattice";
@@ -113,6 +152,7 @@ namespace Thalweg
     std::string  material;
     double       diameter = 0., spread = 0., spacing = 0., shake = 0.;
     double       first = 0., interval = 0., last = 0.;
+    double       number_rate = 0., mass_rate = 0.; ///< 1/s, kg/s
     unsigned int number = 0, seed = 1;
 
     mutable std::unique_ptr<dealii::FunctionParser<dim>> region_function;

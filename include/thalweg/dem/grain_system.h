@@ -16,6 +16,8 @@ namespace Thalweg
   {
     static constexpr int left = -1; ///< behind an open boundary
     static constexpr int lost = -2; ///< outside of all
+    /// Instead of a boundary: taken out.
+    static constexpr std::uint32_t no_boundary = -1;
 
     int           rank;
     std::uint32_t cell; ///< on that rank
@@ -106,6 +108,11 @@ namespace Thalweg
     /// Adds grains and makes all lists anew. Collective.
     void
     add(const std::vector<GrainRecord> &grains);
+
+    /// Takes out the grains whose centers are where @p is_gone says; they are
+    /// among those of take_gone(). Collective.
+    void
+    remove(const std::function<bool(const Vec3 &)> &is_gone);
 
     /// This rank's grains, in their order.
     GrainSet

@@ -95,12 +95,11 @@ namespace Thalweg
     const double part     = a.r / contact;
     const double overlap  = contact - distance;
     // The arms add up to the distance: nothing else keeps the angular momentum.
-    pair.arm_b          = b.r - overlap * part;
-    pair.arm_a          = distance - pair.arm_b;
-    pair.touch          = {overlap,
-                           part * b.r,
-                           1. / (ma.inverse_mass + mb.inverse_mass),
-                           distance};
+    pair.arm_b                = b.r - overlap * part;
+    pair.arm_a                = distance - pair.arm_b;
+    const double inverse_mass = ma.inverse_mass + mb.inverse_mass;
+    pair.touch                = {
+                     overlap, part * b.r, 1. / inverse_mass, distance, inverse_mass};
     pair.state.normal   = (1. / distance) * way;
     const Vec3 relative = ma.v - mb.v;
     pair.state.approach = dot(relative, pair.state.normal);
@@ -121,8 +120,9 @@ namespace Thalweg
   THALWEG_INLINE void
   for_all_pairs(const PairLoop &loop, const PairConstants<Law> *constants)
   {
-    GrainLoad        *load   = loop.load;
-    const std::size_t n_hits = find_touching<Rolling>(loop);
+    GrainLoad        *load                   = loop.load;
+    const std::size_t n_hits                 = find_touching<Rolling>(loop);
+    const double      inverse_inertia_factor = 1. / loop.inertia_factor;
     ContactWork       total;
     for (std::size_t h = 0; h < n_hits; ++h)
       {
@@ -143,6 +143,7 @@ namespace Thalweg
           pair.touch,
           pair.state,
           loop.inertia_factor * pair.touch.effective_mass * radius * radius,
+          inverse_inertia_factor,
           loop.dt,
           memory,
           work);

@@ -108,9 +108,10 @@ namespace Thalweg
     const ContactState state = state_at_wall(loop.place[i], grain, wall, touch);
     const ContactForce result = contact_force<Law, Rolling, counts>(
       constants[loop.material[i] * loop.n_materials + wall.material],
-      {touch.overlap, r, mass, arm},
+      {touch.overlap, r, mass, arm, grain.inverse_mass},
       state,
       loop.inertia_factor * mass * r * r,
+      1. / loop.inertia_factor,
       loop.dt,
       memory,
       work);

@@ -8,6 +8,9 @@
 #include <thalweg/dem/grain_materials.h>
 #include <thalweg/dem/grain_walls.h>
 
+#include <deal.II/base/function_parser.h>
+
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,6 +39,10 @@ namespace Thalweg
     RollingModel
     rolling_model() const;
 
+    /// Where grains are taken out at a time, in s; nothing: nowhere.
+    std::unique_ptr<dealii::FunctionParser<dim>>
+    removal_region(const double time) const;
+
     /// The boundaries that grains leave through.
     std::set<unsigned int>
     open_boundaries(const Mesh<dim> &mesh) const;
@@ -62,9 +69,13 @@ namespace Thalweg
     std::string              wall_material;
     std::vector<std::string> open;
     std::string              planes;
+    std::string              removal;
     GrainWalls               own_walls;
 
   private:
+    void
+    declare_walls(const Section &walls);
+
     /// A plane out of "x, y, z: nx, ny, nz".
     std::vector<Facet>
     read_planes() const;

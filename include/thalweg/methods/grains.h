@@ -123,6 +123,10 @@ namespace Thalweg
     void
     insert(const double time);
 
+    /// Takes out grains in the region of removal. Collective.
+    void
+    remove(const double time);
+
     /// Sums up what contacts did in a step. Collective.
     void
     sum_up_work(const GrainCounts &before, const GrainCounts &after);
@@ -181,7 +185,7 @@ namespace Thalweg
     double                              smallest_radius = 0.; ///< m
     /// Since the start, on all ranks.
     std::uint64_t next_id = 0, n_left = 0, n_lost = 0, n_rebuilds = 0;
-    double        mass_left = 0.;                  ///< kg
+    double        mass_in = 0., mass_left = 0.;    ///< kg
     double        energy_in = 0., energy_out = 0.; ///< J
     /// J, along normals (but what springs have), at right angles, in rolling,
     /// and of walls; and what half of a sub-step adds, which is to come.

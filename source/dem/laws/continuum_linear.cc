@@ -80,7 +80,8 @@ namespace Thalweg
                 damping,
                 c.tangential * stiffness,
                 c.tangential * damping,
-                adhesion};
+                adhesion,
+                1. / (c.tangential * stiffness)};
       }
 
       static double

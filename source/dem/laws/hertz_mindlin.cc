@@ -71,7 +71,8 @@ namespace Thalweg
                 tangential,
                 c.damping *
                   std::sqrt(touch.effective_mass * tangential * 2. / 3.),
-                adhesion};
+                adhesion,
+                1. / (tangential)};
       }
 
       static double

@@ -36,6 +36,7 @@ namespace Thalweg
         double tangential_stiffness; ///< part of the normal one
         double tangential_damping;   ///< part of the normal one
         double cohesion;             ///< N/m^2
+        double compliance;           ///< at right angles, m/N
       };
 
       void
@@ -90,12 +91,14 @@ namespace Thalweg
       Constants
       constants(const PairMaterial &pair) const
       {
-        return {normal_stiffness > 0. ? normal_stiffness
-                                      : stiffness_of_impact(pair),
+        const double stiffness =
+          normal_stiffness > 0. ? normal_stiffness : stiffness_of_impact(pair);
+        return {stiffness,
                 2. * damping_ratio(pair.restitution),
                 tangential_stiffness,
                 tangential_damping,
-                pair.cohesion};
+                pair.cohesion,
+                1. / (tangential_stiffness * stiffness)};
       }
 
       static THALWEG_INLINE Response
@@ -110,7 +113,8 @@ namespace Thalweg
                 damping,
                 c.tangential_stiffness * c.stiffness,
                 c.tangential_damping * damping,
-                adhesion};
+                adhesion,
+                c.compliance};
       }
 
       static double

@@ -198,3 +198,35 @@ TEST(ScalarMpi, BuoyancyTurnsWaterOver)
   EXPECT_GT(run.last("water: kinetic energy [J]"), 1e-6);
   EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-9);
 }
+
+
+
+TEST(ScalarMpi, TheBooksOfTwoFluidsBalance)
+{
+  // Hot water sloshes in cold air, and is heated.
+  const RunCase<2> run(
+    unit_box<2>(12) + section("Body forces", {"Gravity = 0, -9.81"}) +
+    section("Methods",
+            {"Names = water: pfem2, heat: scalar, dye: scalar"},
+            section("water",
+                    {},
+                    two_fluids(1000., 1., 1., .01) +
+                      section("Initial conditions",
+                              {"Level set = y - 0.4 - 0.2*x"})) +
+              section("heat",
+                      {"Initial value = if(y < 0.4 + 0.2*x, 350, 290)",
+                       "Diffusivity = water: 1e-3, air: 2e-2",
+                       "Capacity = water: 4e6, air: 1e3"},
+                      section("Boundary conditions",
+                              {"Flux = bottom: 1e6",
+                               "Exchange = top: 100; 280"})) +
+              section("dye", {"Initial value = if(y < 0.4 + 0.2*x, 1, 0)"})) +
+    steps("0.02", "0.6"));
+  const double heat = run.last("heat: content");
+  EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-12 * heat);
+  EXPECT_NEAR(run.last("heat: with the flow"), 0., 1e-4 * heat);
+  EXPECT_NEAR(run.last("heat: through boundaries"), 6e5, 1e4);
+  EXPECT_NEAR(run.last("dye: content"), .5, .005);
+  EXPECT_EQ(run.last("dye: least"), 0.);
+  EXPECT_EQ(run.last("dye: greatest"), 1.);
+}

@@ -1,60 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables of single grains, of what leaves, and of the forces on walls.
-#include <thalweg/methods/grain_view.h>
-#include <thalweg/postprocess/offered_output.h>
-
-#include <algorithm>
+#include <thalweg/postprocess/grain_table.h>
 
 namespace Thalweg
 {
   namespace
   {
-    /// The grains of all methods that have some, by the methods' names.
-    template <int dim>
-    std::map<std::string, const GrainView *>
-    all_grains(const SolutionView<dim> &solution)
-    {
-      return solution.ports->template all<const GrainView>("grains");
-    }
-
-
-
-    /// A table of grains for each method that has some.
-    template <int dim>
-    class GrainTable : public Postprocessor<dim>
-    {
-    public:
-      /// @param model its name
-      explicit GrainTable(const std::string &model)
-        : model(model)
-      {}
-
-      void
-      check(const RunOutline<dim> &outline) const override
-      {
-        check_offered(outline.offered, "grains", model, "sand: grains");
-      }
-
-    protected:
-      /// Begins the table of a method.
-      void
-      open(Context                        &context,
-           const std::string              &method,
-           const std::vector<std::string> &columns)
-      {
-        std::string name = file_name_of(method, "grains") + "_" + model;
-        std::replace(name.begin(), name.end(), ' ', '_');
-        tables[method].open(context, name + ".csv", columns);
-      }
-
-      TablesOfMethods tables;
-
-    private:
-      const std::string model;
-    };
-
-
-
     /// One grain in each step.
     template <int dim>
     class OneGrain : public GrainTable<dim>

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/methods/grain_view.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sstream>
 
 #include "support/complaint.h"
 #include "support/dimensions.h"
@@ -323,4 +326,52 @@ TYPED_TEST(GrainWallsMpi, ATurningDrumGivesWhatIsDissipatedAndLifted)
   EXPECT_EQ(run.last("sand: grains lost"), 0.);
   EXPECT_GT(work, 100.);
   EXPECT_LT(std::abs(run.last("sand: missing energy [J]")), .01 * work);
+}
+
+
+
+TYPED_TEST(GrainWallsMpi, APileIsAsHighWideAndSteepAsItWasMade)
+{
+  constexpr int dim = TypeParam::value;
+  // A wedge with a slope of 45 degrees, and one grain far away.
+  const std::string up    = dim == 2 ? "y" : "z";
+  const std::string place = own_path("pile");
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::create_directories(place);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string section_of_pile =
+    section("Postprocess",
+            {"Models = pile"},
+            section("pile",
+                    {"Interval = 1",
+                     std::string("Center = -1, ") +
+                       (dim == 2 ? "-1" : "-1, -1"),
+                     "Along = x",
+                     "Width = 0.2"}));
+  RunCase<dim>(in_a_box<dim>({"Region = if(x + " + up +
+                                " < -0.5 | (x > 0.85 & " + up +
+                                " < -0.85), 1, -1)",
+                              "Diameter = 0.199",
+                              "Spacing = 0.2"},
+                             "",
+                             "",
+                             "0.001") +
+                 section_of_pile,
+               MPI_COMM_WORLD,
+               place);
+  std::ifstream file(place + "/sand_pile.csv");
+  std::string   line;
+  std::getline(file, line);
+  std::getline(file, line);
+  std::replace(line.begin(), line.end(), ',', ' ');
+  std::istringstream row(line);
+  double             time, height, run_out, bulk, slope;
+  row >> time >> height >> run_out >> bulk >> slope;
+  EXPECT_NEAR(height, 1.4, .01);
+  EXPECT_NEAR(run_out, 1.4, 1e-9);
+  EXPECT_NEAR(slope, 45., 1e-6);
+  EXPECT_NEAR(bulk, 1.4, 1e-9);
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::remove_all(place);
 }

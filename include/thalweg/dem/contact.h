@@ -95,7 +95,7 @@ namespace Thalweg
     // The length but for terms of fourth order in the angle of one step.
     const double left = norm_square(memory);
     const double part = along * along / (left + 1e-300);
-    memory            = (1. + .5 * std::min(part, 1.)) * memory;
+    memory            = (1. + .5 * smaller(part, 1.)) * memory;
   }
 
 
@@ -130,7 +130,7 @@ namespace Thalweg
     // No branch: what slips cannot be predicted. The spring gives way by what
     // is too much.
     const double inverse = 1. / (std::sqrt(norm_square(force)) + 1e-300);
-    const double kept    = std::min(1., limit * inverse);
+    const double kept    = smaller(1., limit * inverse);
     const Vec3   asked   = force;
     spring += ((1. - kept) * response.tangential_compliance) * force;
     force  = kept * force;

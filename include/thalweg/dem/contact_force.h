@@ -33,20 +33,19 @@ namespace Thalweg
   THALWEG_INLINE Onset
   contact_onset(const double overlap, const double approach, const double dt)
   {
-    // Most contacts are far from either.
-    const double way = std::abs(approach) * dt;
-    if (overlap >= 2. * way)
-      return {1., 1., 0., 0.};
-    // Steps since the beginning, or until the end.
-    const double n      = overlap / way;
-    const double spring = std::min(1., .5 + .5 * n);
-    if (approach < 0.)
-      {
-        const double jump = n < 1. ? .5 + n : 1.5 - n;
-        return {spring, n < 1. ? .5 + n : 1., jump, 0.};
-      }
-    const double jump = n < 1. ? 2. * n - 1.5 : 1. - .5 * n;
-    return {spring, n < 1. ? 1.5 * n : 2. - .5 * n, jump, jump};
+    // Steps since the beginning, or until the end. No branches: they would keep
+    // several contacts from being computed at once.
+    const double n      = overlap / (std::abs(approach) * dt + 1e-300);
+    const bool   nears  = approach < 0.;
+    const double spring = n < 1. ? .5 + .5 * n : 1.;
+    const double coming = n < 1. ? .5 + n : 1.;
+    const double going  = n < 1. ? 1.5 * n : n < 2. ? 2. - .5 * n : 1.;
+    const double onset  = n < 1. ? .5 + n : n < 2. ? 1.5 - n : 0.;
+    const double end    = n < 1. ? 2. * n - 1.5 : n < 2. ? 1. - .5 * n : 0.;
+    return {spring,
+            nears ? coming : going,
+            nears ? onset : end,
+            nears ? 0. : end};
   }
 
 
@@ -81,7 +80,7 @@ namespace Thalweg
     const double change =
       .5 * dt * dt * inverse_mass * response.stiffness + .125 * kick * kick;
     // Nor does it know that the part of the dashpot changes in the last steps.
-    const double part = onset.dashpot * std::max(0., 1. - kick * onset.release);
+    const double part = onset.dashpot * larger(0., 1. - kick * onset.release);
     const double lag  = 1. - change + change * change; // 1/(1 + change)
     const double damping = part * lag * response.damping;
     const double spring  = response.elastic + response.adhesion;
@@ -96,7 +95,7 @@ namespace Thalweg
         work.normal += damping * state.approach * mean * dt;
       }
     ContactForce result{normal * state.normal, {0., 0., 0.}, {0., 0., 0.}};
-    const double load = std::max(0., normal + response.adhesion);
+    const double load = larger(0., normal + response.adhesion);
     if (constants.friction.sliding > 0.)
       {
         turn(memory.slip, state.normal);

@@ -19,6 +19,19 @@
 
 namespace Thalweg
 {
+  /// Without references, which keep compilers from working on several at once.
+  THALWEG_INLINE double
+  smaller(const double a, const double b)
+  {
+    return a < b ? a : b;
+  }
+
+  THALWEG_INLINE double
+  larger(const double a, const double b)
+  {
+    return a > b ? a : b;
+  }
+
   /**
    * @brief Three components, also in two dimensions, where those of places and
    * velocities end with zero and those of spins begin with two of them.

@@ -2,6 +2,8 @@
 #include <thalweg/core/plain_text.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace Thalweg
 {
@@ -110,5 +112,21 @@ namespace Thalweg
     std::size_t       end;
     const std::string head = visible(text, 0, longest, true, end);
     return end == text.size() ? head : head + left_out(text.size() - end);
+  }
+
+
+  std::optional<double>
+  finite_number(const std::string &text)
+  {
+    try
+      {
+        std::size_t  end   = 0;
+        const double value = std::stod(text, &end);
+        if (end == text.size() && std::isfinite(value))
+          return value;
+      }
+    catch (const std::logic_error &)
+      {}
+    return {};
   }
 } // namespace Thalweg

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/mixed_bits.h>
 #include <thalweg/dem/grain_insertion.h>
+#include <thalweg/dem/occupancy.h>
 #include <thalweg/dem/points.h>
 #include <thalweg/fields/expression.h>
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace Thalweg
 {
@@ -18,52 +18,13 @@ namespace Thalweg
 
 
 
-    /// Circles or spheres in a grid, to see which overlap.
-    class Occupancy
+    /// m^dim
+    template <int dim>
+    double
+    volume_of(const double r)
     {
-    public:
-      explicit Occupancy(const double diameter)
-        : edge(diameter)
-      {}
-
-      void
-      add(const GrainPlace &grain)
-      {
-        cells[key(grain.x, 0, 0, 0)].push_back(grain);
-      }
-
-      bool
-      is_free(const GrainPlace &grain) const
-      {
-        for (int dz = -1; dz <= 1; ++dz)
-          for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx)
-              if (const auto cell = cells.find(key(grain.x, dx, dy, dz));
-                  cell != cells.end())
-                for (const GrainPlace &other : cell->second)
-                  {
-                    const double contact = grain.r + other.r;
-                    if (norm_square(grain.x - other.x) < contact * contact)
-                      return false;
-                  }
-        return true;
-      }
-
-    private:
-      std::uint64_t
-      key(const Vec3 &x, const int dx, const int dy, const int dz) const
-      {
-        const auto number = [&](const double at, const int d) {
-          constexpr std::int64_t mask = (1 << 21) - 1;
-          return std::uint64_t(
-            (static_cast<std::int64_t>(std::floor(at / edge)) + d) & mask);
-        };
-        return number(x.x, dx) | number(x.y, dy) << 21 | number(x.z, dz) << 42;
-      }
-
-      const double                                               edge;
-      std::unordered_map<std::uint64_t, std::vector<GrainPlace>> cells;
-    };
+      return M_PI * r * r * (dim == 3 ? 4. / 3. * r : 1.);
+    }
 
 
 
@@ -250,9 +211,7 @@ namespace Thalweg
             {
               taken.add(trials[t]);
               places.push_back(trials[t]);
-              const double r = trials[t].r;
-              mass +=
-                wanted.density * M_PI * r * r * (dim == 3 ? 4. / 3. * r : 1.);
+              mass += wanted.density * volume_of<dim>(trials[t].r);
             }
         in_vain = places.size() > before ? 0 : in_vain + batch;
         if (in_vain > most_trials * 100)
@@ -281,7 +240,7 @@ namespace Thalweg
   {
     double volume = 0.;
     for (const GrainPlace &place : places)
-      volume += M_PI * place.r * place.r * (dim == 3 ? 4. / 3. * place.r : 1.);
+      volume += volume_of<dim>(place.r);
     const std::string found = "'Insertion/Region' has room for " +
                               std::to_string(places.size()) + " grains of ";
     const std::string too_fast =

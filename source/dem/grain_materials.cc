@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
+#include <thalweg/core/plain_text.h>
 #include <thalweg/core/spelling.h>
 #include <thalweg/dem/grain_materials.h>
 
@@ -33,20 +34,11 @@ namespace Thalweg
               const double       least,
               const double       greatest)
     {
-      double      value = 0.;
-      std::size_t end   = 0;
-      try
-        {
-          value = std::stod(text, &end);
-        }
-      catch (const std::exception &)
-        {
-          end = 0;
-        }
-      AssertThrow(end > 0 && end == text.size() && std::isfinite(value),
+      const auto value = finite_number(text);
+      AssertThrow(value.has_value(),
                   dealii::ExcMessage("'" + where + "' has '" + text +
                                      "' where a number is expected."));
-      AssertThrow(value >= least && value <= greatest,
+      AssertThrow(*value >= least && *value <= greatest,
                   dealii::ExcMessage(
                     "'" + where + "' has " + text + ", but it must be " +
                     (greatest == no_limit
@@ -54,7 +46,7 @@ namespace Thalweg
                        : "between 0 and " +
                            std::string(greatest == 1. ? "1" : "0.5")) +
                     "."));
-      return value;
+      return *value;
     }
 
 

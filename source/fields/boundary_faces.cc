@@ -117,14 +117,17 @@ namespace Thalweg
 
   template <int dim>
   std::vector<BoundaryFace<dim>>
-  boundary_faces(const CellGraph<dim> &graph)
+  boundary_faces(
+    const CellGraph<dim>                                        &graph,
+    const std::function<bool(const dealii::types::boundary_id)> &wanted)
   {
     std::vector<BoundaryFace<dim>> faces;
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       for (unsigned int f = 0; f < graph.n_faces; ++f)
         {
           const auto &behind = graph.cell(c).faces[f];
-          if (behind.behind != CellGraph<dim>::Behind::boundary)
+          if (behind.behind != CellGraph<dim>::Behind::boundary ||
+              !wanted(behind.boundary_id))
             continue;
           auto points = face_points<dim>(graph.cell(c), f);
           faces.push_back({c,
@@ -144,12 +147,16 @@ namespace Thalweg
                      const unsigned int,
                      const dealii::Point<2> &);
   template std::vector<BoundaryFace<2>>
-  boundary_faces<2>(const CellGraph<2> &);
+  boundary_faces<2>(
+    const CellGraph<2> &,
+    const std::function<bool(const dealii::types::boundary_id)> &);
   template struct BoundaryFace<3>;
   template dealii::Tensor<1, 3>
   weighted_normal<3>(const CellGraph<3>::Cell &,
                      const unsigned int,
                      const dealii::Point<3> &);
   template std::vector<BoundaryFace<3>>
-  boundary_faces<3>(const CellGraph<3> &);
+  boundary_faces<3>(
+    const CellGraph<3> &,
+    const std::function<bool(const dealii::types::boundary_id)> &);
 } // namespace Thalweg

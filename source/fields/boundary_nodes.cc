@@ -96,12 +96,13 @@ namespace Thalweg
   void
   BoundaryNodes<dim>::collect_faces()
   {
-    for (Face &face : boundary_faces<dim>(space.mesh().graph()))
-      {
-        const BoundaryKind kind = conditions_.at(face.id).kind;
-        if (kind == BoundaryKind::open || kind == BoundaryKind::velocity)
-          faces.push_back(std::move(face));
-      }
+    faces = boundary_faces<dim>(space.mesh().graph(),
+                                [this](const dealii::types::boundary_id id) {
+                                  const BoundaryKind kind =
+                                    conditions_.at(id).kind;
+                                  return kind == BoundaryKind::open ||
+                                         kind == BoundaryKind::velocity;
+                                });
   }
 
 

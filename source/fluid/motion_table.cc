@@ -59,20 +59,11 @@ namespace Thalweg
     double
     number(const std::string &word, const std::string &place)
     {
-      std::size_t end   = 0;
-      double      value = NAN;
-      try
-        {
-          value = std::stod(word, &end);
-        }
-      catch (const std::logic_error &)
-        {
-          end = 0;
-        }
-      AssertThrow(end == word.size() && std::isfinite(value),
+      const auto value = finite_number(word);
+      AssertThrow(value.has_value(),
                   dealii::ExcMessage(place + ": '" + excerpt(word) +
                                      "' is not a number."));
-      return value;
+      return *value;
     }
 
 

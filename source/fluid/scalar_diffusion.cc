@@ -3,7 +3,6 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/fluid/scalar_diffusion.h>
 
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/vector.h>
 
@@ -22,17 +21,6 @@ namespace Thalweg
 
 
 
-  double
-  ScalarSupply::total() const
-  {
-    double sum = source;
-    for (const auto &[id, amount] : through)
-      sum += amount;
-    return sum;
-  }
-
-
-
   template <int dim>
   ScalarDiffusion<dim>::ScalarDiffusion(const NodeSpace<dim>  &space,
                                         ScalarConditions<dim> &conditions,
@@ -48,12 +36,13 @@ namespace Thalweg
     for (Vector *vector :
          {&load, &exchange, &source_load, &residual, &increment, &before})
       space.initialize_scalar(*vector);
-    for (BoundaryFace<dim> &face : boundary_faces<dim>(space.mesh().graph()))
-      {
-        const ScalarBoundary kind = conditions.at(face.id).kind;
-        if (kind == ScalarBoundary::flux || kind == ScalarBoundary::exchange)
-          faces.push_back(std::move(face));
-      }
+    faces = boundary_faces<dim>(space.mesh().graph(),
+                                [&](const dealii::types::boundary_id id) {
+                                  const ScalarBoundary kind =
+                                    conditions.at(id).kind;
+                                  return kind == ScalarBoundary::flux ||
+                                         kind == ScalarBoundary::exchange;
+                                });
     collect_given_nodes();
   }
 
@@ -63,9 +52,6 @@ namespace Thalweg
   void
   ScalarDiffusion<dim>::collect_given_nodes()
   {
-    using Geometry                          = dealii::GeometryInfo<dim>;
-    const auto                       &graph = space.mesh().graph();
-    const auto                        all   = boundary_faces<dim>(graph);
     std::map<unsigned int, GivenNode> nodes;
     for (const auto &[id, condition] : conditions.all())
       {
@@ -73,19 +59,19 @@ namespace Thalweg
           continue;
         Vector measure;
         space.initialize_scalar(measure);
-        for (const BoundaryFace<dim> &face : all)
-          if (face.id == id)
-            for (unsigned int q = 0; q < face.reference_points.size(); ++q)
-              {
-                const auto shape = Q1::values<dim>(face.reference_points[q]);
-                for (unsigned int i = 0; i < graph.n_face_children; ++i)
-                  {
-                    const unsigned int v =
-                      Geometry::face_to_cell_vertices(face.face_no, i);
-                    measure.local_element(space.nodes(face.cell)[v]) +=
-                      shape[v] * face.normals_times_weight[q].norm();
-                  }
-              }
+        const auto is_this = [id = id](const dealii::types::boundary_id other) {
+          return other == id;
+        };
+        for (const BoundaryFace<dim> &face :
+             boundary_faces<dim>(space.mesh().graph(), is_this))
+          for (unsigned int q = 0; q < face.reference_points.size(); ++q)
+            {
+              const double area  = face.normals_times_weight[q].norm();
+              const auto   shape = Q1::values<dim>(face.reference_points[q]);
+              for (unsigned int v = 0; v < shape.size(); ++v)
+                measure.local_element(space.nodes(face.cell)[v]) +=
+                  shape[v] * area;
+            }
         space.fold(measure, 1);
         for (unsigned int n = 0; n < space.n_owned_nodes(); ++n)
           if (measure.local_element(n) > 0. && !space.is_dependent(n))
@@ -113,16 +99,37 @@ namespace Thalweg
 
 
   template <int dim>
+  std::vector<double>
+  ScalarDiffusion<dim>::given_values(const double time) const
+  {
+    conditions.set_time(time);
+    std::vector<double> values;
+    for (const GivenNode &node : given_nodes)
+      values.push_back(conditions.at(node.measures.begin()->first)
+                         .function->value(node.position));
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
+  ScalarDiffusion<dim>::set_given(Vector                    &scalar,
+                                  const std::vector<double> &values) const
+  {
+    scalar.zero_out_ghost_values();
+    for (unsigned int i = 0; i < values.size(); ++i)
+      scalar.local_element(given_nodes[i].node) = values[i];
+    space.interpolate(scalar, 1);
+  }
+
+
+
+  template <int dim>
   void
   ScalarDiffusion<dim>::set_given(Vector &scalar, const double time) const
   {
-    conditions.set_time(time);
-    scalar.zero_out_ghost_values();
-    for (const GivenNode &node : given_nodes)
-      scalar.local_element(node.node) =
-        conditions.at(node.measures.begin()->first)
-          .function->value(node.position);
-    space.interpolate(scalar, 1);
+    set_given(scalar, given_values(time));
   }
 
 
@@ -178,7 +185,7 @@ namespace Thalweg
             else
               amount = area * condition.function->value(x);
             for (unsigned int v = 0; v < shape.size(); ++v)
-              visit(nodes[v], face.id, shape[v] * amount, shape[v] * rate);
+              visit(nodes[v], shape[v] * amount, shape[v] * rate);
           }
       }
   }
@@ -195,13 +202,11 @@ namespace Thalweg
         vector->zero_out_ghost_values();
         *vector = 0.;
       }
-    for_each_supply([this](const unsigned int node,
-                           const dealii::types::boundary_id,
-                           const double amount,
-                           const double rate) {
-      load.local_element(node) += amount;
-      exchange.local_element(node) += rate;
-    });
+    for_each_supply(
+      [this](const unsigned int node, const double amount, const double rate) {
+        load.local_element(node) += amount;
+        exchange.local_element(node) += rate;
+      });
     space.fold(load, 1);
     space.fold(exchange, 1);
     load.zero_out_ghost_values();
@@ -219,6 +224,19 @@ namespace Thalweg
 
 
   template <int dim>
+  void
+  ScalarDiffusion<dim>::find_gain(const Vector &scalar)
+  {
+    matrix.diffuse(residual, scalar);
+    for (unsigned int n = 0; n < is_given.size(); ++n)
+      residual.local_element(n) +=
+        load.local_element(n) -
+        exchange.local_element(n) * scalar.local_element(n);
+  }
+
+
+
+  template <int dim>
   unsigned int
   ScalarDiffusion<dim>::make_stage(Vector                    &scalar,
                                    const double               time,
@@ -230,20 +248,14 @@ namespace Thalweg
     before.zero_out_ghost_values();
     before.copy_locally_owned_data_from(scalar);
     find_load(time);
-    scalar.zero_out_ghost_values();
-    for (unsigned int i = 0; i < given.size(); ++i)
-      scalar.local_element(given_nodes[i].node) = given[i];
-    space.interpolate(scalar, 1);
+    set_given(scalar, given);
 
-    matrix.diffuse(residual, scalar);
+    find_gain(scalar);
     double scale = 0.;
     for (unsigned int n = 0; n < is_given.size(); ++n)
       {
-        double &entry = residual.local_element(n);
-        entry += load.local_element(n) -
-                 exchange.local_element(n) * scalar.local_element(n);
         if (is_given[n] || space.is_dependent(n))
-          entry = 0.;
+          residual.local_element(n) = 0.;
         const double amount =
           capacity().local_element(n) / tau * scalar.local_element(n);
         scale += amount * amount;
@@ -284,30 +296,20 @@ namespace Thalweg
                               const double  weight,
                               ScalarSupply &supply)
   {
-    for_each_supply([&](const unsigned int               node,
-                        const dealii::types::boundary_id id,
-                        const double                     amount,
-                        const double                     exchange_rate) {
-      supply.through[id] +=
+    for_each_supply([&](const unsigned int node,
+                        const double       amount,
+                        const double       exchange_rate) {
+      supply.through +=
         weight * (amount - exchange_rate * scalar.local_element(node));
     });
     for (unsigned int n = 0; n < source_load.locally_owned_size(); ++n)
       supply.source += weight * source_load.local_element(n);
     // Where the value is given comes in what it takes to hold it.
-    matrix.diffuse(residual, scalar);
+    find_gain(scalar);
     for (const GivenNode &given : given_nodes)
-      {
-        const unsigned int n = given.node;
-        const double       reaction =
-          capacity().local_element(n) * rate.local_element(n) -
-          residual.local_element(n) - load.local_element(n) +
-          exchange.local_element(n) * scalar.local_element(n);
-        double all = 0.;
-        for (const auto &[id, measure] : given.measures)
-          all += measure;
-        for (const auto &[id, measure] : given.measures)
-          supply.through[id] += weight * reaction * measure / all;
-      }
+      supply.through += weight * (capacity().local_element(given.node) *
+                                    rate.local_element(given.node) -
+                                  residual.local_element(given.node));
   }
 
 
@@ -319,22 +321,15 @@ namespace Thalweg
                                 const double  dt,
                                 ScalarSupply &supply)
   {
-    const double        gamma = gamma_of_stages;
-    std::vector<double> start, end, given(given_nodes.size());
-    conditions.set_time(time + dt);
-    for (const GivenNode &node : given_nodes)
+    const double              gamma = gamma_of_stages;
+    const std::vector<double> end   = given_values(time + dt);
+    std::vector<double>       given; // on the way there
+    for (unsigned int i = 0; i < end.size(); ++i)
       {
-        start.push_back(scalar.local_element(node.node));
-        end.push_back(conditions.at(node.measures.begin()->first)
-                        .function->value(node.position));
+        const double start = scalar.local_element(given_nodes[i].node);
+        given.push_back(start + gamma * (end[i] - start));
       }
-    const auto on_the_way = [&](const double part) {
-      for (unsigned int i = 0; i < given.size(); ++i)
-        given[i] = start[i] + part * (end[i] - start[i]);
-    };
-
-    Vector stage(scalar);
-    on_the_way(gamma);
+    Vector       stage(scalar);
     unsigned int iterations = make_stage(
       stage, time + gamma * dt, gamma * dt, given, (1. - gamma) * dt, supply);
     scalar.zero_out_ghost_values();
@@ -353,23 +348,20 @@ namespace Thalweg
 
 
   template <int dim>
-  std::map<dealii::types::boundary_id, std::vector<std::pair<double, double>>>
+  BoundaryFluxes
   ScalarDiffusion<dim>::fluxes(const Vector &scalar, const double time)
   {
-    std::map<dealii::types::boundary_id, std::vector<std::pair<double, double>>>
-      found;
+    BoundaryFluxes found;
     find_load(time);
-    matrix.diffuse(residual, scalar);
+    find_gain(scalar);
     for (const GivenNode &given : given_nodes)
       {
-        const unsigned int n   = given.node;
-        double             all = 0.;
+        double all = 0.;
         for (const auto &[id, measure] : given.measures)
           all += measure;
-        const double out = residual.local_element(n) + load.local_element(n) -
-                           exchange.local_element(n) * scalar.local_element(n);
         for (const auto &[id, measure] : given.measures)
-          found[id].emplace_back(out / all, measure);
+          found[id].emplace_back(residual.local_element(given.node) / all,
+                                 measure);
       }
     return found;
   }

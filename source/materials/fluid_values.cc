@@ -4,8 +4,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <cmath>
-
 namespace Thalweg
 {
   namespace
@@ -15,27 +13,18 @@ namespace Thalweg
                const double       least,
                const std::string &where)
     {
-      double      value = 0.;
-      std::size_t end   = 0;
-      try
-        {
-          value = std::stod(text, &end);
-        }
-      catch (const std::exception &)
-        {
-          end = 0;
-        }
-      AssertThrow(end > 0 && end == text.size() && std::isfinite(value),
+      const auto value = finite_number(text);
+      AssertThrow(value.has_value(),
                   dealii::ExcMessage("'" + where + "' has '" + excerpt(text) +
                                      "' where a number is expected: write "
                                      "'0.1', or 'water: 0.1, air: 2' with the "
                                      "names in 'Fluids'."));
-      AssertThrow(value >= least,
+      AssertThrow(*value >= least,
                   dealii::ExcMessage(
                     "'" + where + "' has " + excerpt(text) +
                     ", but it must be " +
                     (least > 0. ? "positive." : "at least 0.")));
-      return value;
+      return *value;
     }
   } // namespace
 

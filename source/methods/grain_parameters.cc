@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
+#include <thalweg/core/plain_text.h>
 #include <thalweg/core/spelling.h>
 #include <thalweg/fields/expression.h>
 #include <thalweg/mesh/boundary_name.h>
@@ -162,26 +163,20 @@ namespace Thalweg
     for (const std::string &entry : split_string_list(planes, '|'))
       {
         std::vector<double> numbers;
-        const auto          parts = split_string_list(entry, ':');
+        bool                are_numbers = true;
+        const auto          parts       = split_string_list(entry, ':');
         for (const std::string &part : parts)
           for (const std::string &number : split_string_list(part, ','))
-            try
-              {
-                std::size_t end = 0;
-                numbers.push_back(std::stod(trimmed(number), &end));
-                AssertThrow(end == trimmed(number).size() &&
-                              std::isfinite(numbers.back()),
-                            dealii::ExcInternalError());
-              }
-            catch (const std::exception &)
-              {
-                numbers.clear();
-                break;
-              }
+            {
+              const auto value = finite_number(trimmed(number));
+              are_numbers      = are_numbers && value.has_value();
+              numbers.push_back(value.value_or(0.));
+            }
         Facet facet{};
-        facet.kind             = Facet::Kind::plane;
-        facet.is_solid         = true;
-        const bool is_complete = parts.size() == 2 && numbers.size() == 2 * dim;
+        facet.kind     = Facet::Kind::plane;
+        facet.is_solid = true;
+        const bool is_complete =
+          are_numbers && parts.size() == 2 && numbers.size() == 2 * dim;
         if (is_complete)
           {
             facet.corner[0] = {numbers[0],

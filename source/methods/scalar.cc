@@ -94,8 +94,7 @@ namespace Thalweg
   {
     const Medium<dim>    &medium = this->medium();
     const NodeSpace<dim> &space  = medium.space;
-    view                         = std::make_unique<ScalarView<dim>>(
-      ScalarView<dim>{parameters.unit, space, {}});
+    view = std::make_unique<ScalarView<dim>>(ScalarView<dim>{space});
     space.initialize_scalar(view->field);
     for (const auto &[name, id] : host->mesh.boundary_names())
       if (conditions->at(id).kind == ScalarBoundary::value)
@@ -115,6 +114,9 @@ namespace Thalweg
                                      "Diffusivity");
     for (unsigned int f = 0; f < 2; ++f)
       conductivity[f] *= capacity[f];
+    view->fluxes = [this](const double time) {
+      return diffusion->fluxes(view->field, time);
+    };
   }
 
 
@@ -160,18 +162,28 @@ namespace Thalweg
             "with the flow",
             "unaccounted",
             "correction",
-            "least",
-            "greatest",
-            "least on the mesh",
-            "greatest on the mesh",
+            with_unit("least"),
+            with_unit("greatest"),
+            with_unit("least on the mesh"),
+            with_unit("greatest on the mesh"),
             "diffusion iterations"};
   }
 
 
 
   template <int dim>
+  std::string
+  Scalar<dim>::with_unit(const std::string &column) const
+  {
+    return parameters.unit.empty() ? column
+                                   : column + " [" + parameters.unit + "]";
+  }
+
+
+
+  template <int dim>
   void
-  Scalar<dim>::record(const double time)
+  Scalar<dim>::record(const double)
   {
     using dealii::Utilities::MPI::max;
     using dealii::Utilities::MPI::min;
@@ -184,8 +196,9 @@ namespace Thalweg
     };
     auto      &statistics = host->context.statistics;
     const auto set        = [&](const std::string &where) {
-      statistics.set("least" + where, min(least, communicator));
-      statistics.set("greatest" + where, max(greatest, communicator));
+      statistics.set(with_unit("least" + where), min(least, communicator));
+      statistics.set(with_unit("greatest" + where),
+                     max(greatest, communicator));
       least    = std::numeric_limits<double>::max();
       greatest = std::numeric_limits<double>::lowest();
     };
@@ -206,7 +219,6 @@ namespace Thalweg
                    present - at_start - through - supplied - with_flow);
     statistics.set("correction", correction);
     statistics.set("diffusion iterations", iterations);
-    view->fluxes = diffusion->fluxes(view->field, time);
   }
 
 

@@ -16,11 +16,12 @@ namespace Thalweg
                 "which stands before this one in `Methods/Names`; empty: the "
                 "first that has particles.",
                 Anything());
-    section.add("Unit",
-                unit,
-                "",
-                "What the scalar is measured in, for tables and files: `K`.",
-                Anything());
+    section.add(
+      "Unit",
+      unit,
+      "",
+      "What the scalar is measured in, for the names of columns: `K`.",
+      Anything());
     section.add("Initial value",
                 initial,
                 "",

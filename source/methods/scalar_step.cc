@@ -167,26 +167,28 @@ namespace Thalweg
     const auto &space = view->space;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
+        const auto particles_here = population->in_cell(c);
+        bool       is_missing     = false;
+        for (const auto &particle : particles_here)
+          is_missing =
+            is_missing || std::isnan(particle.properties()[property]);
+        if (!is_missing)
+          continue;
         std::array<double, (1 << dim)> nodal;
-        bool                           is_complete = true;
         for (unsigned int v = 0; v < nodal.size(); ++v)
           nodal[v] = field.local_element(space.nodes(c)[v]);
         std::array<KnownOnes, 2> known;
-        for (const auto &particle : population->in_cell(c))
+        for (const auto &particle : particles_here)
           {
             const auto   properties = particle.properties();
             const double value      = properties[property];
-            if (std::isnan(value))
-              is_complete = false;
-            else
+            if (!std::isnan(value))
               known[Population<dim>::fluid_of(properties)].add(
                 value,
                 value - Q1::value<dim>(nodal, particle.reference()),
                 properties[Population<dim>::volume_offset]);
           }
-        if (is_complete)
-          continue;
-        for (const auto &particle : population->in_cell(c))
+        for (const auto &particle : particles_here)
           {
             const auto properties = particle.properties();
             double    &value      = properties[property];
@@ -229,13 +231,11 @@ namespace Thalweg
     before.update_ghost_values();
     iterations += diffusion->advance(view->field, time, dt, supply);
     const MPI_Comm communicator = host->context.communicator;
-    const double   all =
-      dealii::Utilities::MPI::sum(supply.total(), communicator);
-    const double inside =
-      dealii::Utilities::MPI::sum(supply.source, communicator);
-    supplied += inside;
-    through += all - inside;
-    add_increment(before, all);
+    supply.through = dealii::Utilities::MPI::sum(supply.through, communicator);
+    supply.source  = dealii::Utilities::MPI::sum(supply.source, communicator);
+    through += supply.through;
+    supplied += supply.source;
+    add_increment(before, supply.total());
   }
 
 

@@ -92,10 +92,11 @@ namespace Thalweg
           return;
         for (const auto &[method, scalar] : all_scalars(solution))
           {
-            std::vector<double> row{now.time};
+            std::vector<double>  row{now.time};
+            const BoundaryFluxes fluxes = scalar->fluxes(now.time);
             for (const auto &[id, boundary] : scalar->given)
               for (const double value :
-                   summary(context.communicator, *scalar, id))
+                   summary(context.communicator, fluxes, id))
                 row.push_back(value);
             tables[method].write_row(context, row);
           }
@@ -112,15 +113,15 @@ namespace Thalweg
       /// Mean, least and greatest flux. Collective.
       static std::array<double, 3>
       summary(const MPI_Comm                   communicator,
-              const ScalarView<dim>           &scalar,
+              const BoundaryFluxes            &fluxes,
               const dealii::types::boundary_id id)
       {
         using namespace dealii::Utilities;
         double     flow = 0., area = 0.;
         double     least    = std::numeric_limits<double>::max();
         double     greatest = std::numeric_limits<double>::lowest();
-        const auto found    = scalar.fluxes.find(id);
-        if (found != scalar.fluxes.end())
+        const auto found    = fluxes.find(id);
+        if (found != fluxes.end())
           for (const auto &[flux, measure] : found->second)
             {
               flow += flux * measure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/negligible_weight.h>
+#include <thalweg/transfer/nodal_moments.h>
 #include <thalweg/transfer/node_targets.h>
 #include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
@@ -235,31 +236,18 @@ namespace Thalweg
     const double length = dealii::Utilities::MPI::min(
       space.mesh().graph().minimal_extent(),
       space.mesh().triangulation().get_communicator());
-    const unsigned int n_owned = level_set.locally_owned_size();
-    const unsigned int n_nodes =
-      n_owned + level_set.get_partitioner()->n_ghost_indices();
-    NodalMoments                 nodal(n_nodes);
+    NodalMoments                 nodal(space.dependences().n_nodes());
     std::vector<NodeTarget<dim>> targets;
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       accumulate(population, space, c, length, targets, nodal);
 
-    Vector sums;
-    space.initialize_scalar(sums);
-    for (unsigned int k = 0; k < Moments<dim>::size; ++k)
-      {
-        sums.zero_out_ghost_values();
-        for (unsigned int node = 0; node < n_nodes; ++node)
-          sums.local_element(node) = nodal[node].sums[k];
-        space.fold(sums, 1);
-        for (unsigned int node = 0; node < n_owned; ++node)
-          nodal[node].sums[k] = sums.local_element(node);
-      }
+    join_moments(space, nodal);
 
     const double middle_misfit = this->distances_are_kept
                                    ? middle_misfit_of_kept
                                    : middle_misfit_of_distorted;
     level_set.zero_out_ghost_values();
-    for (unsigned int node = 0; node < n_owned; ++node)
+    for (unsigned int node = 0; node < space.n_owned_nodes(); ++node)
       if (const auto value = nodal[node].value(middle_misfit))
         level_set.local_element(node) = *value * length;
     space.interpolate(level_set, 1);

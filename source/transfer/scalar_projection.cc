@@ -2,6 +2,7 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/negligible_weight.h>
+#include <thalweg/transfer/nodal_moments.h>
 #include <thalweg/transfer/scalar_projection.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ namespace Thalweg
         space.mesh().triangulation().get_communicator()))
     , nodal(space.dependences().n_nodes())
   {
-    for (Vector *vector : {&least, &greatest, &sums})
+    for (Vector *vector : {&least, &greatest})
       space.initialize_scalar(*vector);
   }
 
@@ -80,16 +81,7 @@ namespace Thalweg
   void
   ScalarProjection<dim>::join()
   {
-    const unsigned int n_owned = space.n_owned_nodes();
-    for (unsigned int k = 0; k < QuadraticMoments<dim>::size; ++k)
-      {
-        sums.zero_out_ghost_values();
-        for (unsigned int node = 0; node < nodal.size(); ++node)
-          sums.local_element(node) = nodal[node].sums[k];
-        space.fold(sums, 1);
-        for (unsigned int node = 0; node < n_owned; ++node)
-          nodal[node].sums[k] = sums.local_element(node);
-      }
+    join_moments(space, nodal);
     using Operation = dealii::VectorOperation;
     space.dependences().join_copies(least, 1, Operation::min);
     space.dependences().join_copies(greatest, 1, Operation::max);

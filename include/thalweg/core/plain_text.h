@@ -3,6 +3,7 @@
 #define thalweg_core_plain_text_h
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace Thalweg
@@ -25,6 +26,11 @@ namespace Thalweg
   std::string
   bounded_message(const std::string &text,
                   const std::size_t  longest = longest_message);
+
+  /// The number that a text is; nothing if it is more than that, no number, or
+  /// not finite.
+  std::optional<double>
+  finite_number(const std::string &text);
 } // namespace Thalweg
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <thalweg/mesh/cell_graph.h>
 
+#include <functional>
 #include <vector>
 
 namespace Thalweg
@@ -32,10 +33,13 @@ namespace Thalweg
                   const unsigned int                   face_no,
                   const dealii::Point<dim>            &xi);
 
-  /// All of this rank but those at periodic boundaries, cell by cell.
+  /// Those of this rank at boundaries that are @p wanted, never periodic ones;
+  /// cell by cell.
   template <int dim>
   std::vector<BoundaryFace<dim>>
-  boundary_faces(const CellGraph<dim> &graph);
+  boundary_faces(
+    const CellGraph<dim>                                        &graph,
+    const std::function<bool(const dealii::types::boundary_id)> &wanted);
 } // namespace Thalweg
 
 #endif

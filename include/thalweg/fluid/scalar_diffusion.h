@@ -5,6 +5,7 @@
 #include <thalweg/fields/boundary_faces.h>
 #include <thalweg/fields/scalar_conditions.h>
 #include <thalweg/fluid/scalar_operator.h>
+#include <thalweg/fluid/scalar_view.h>
 #include <thalweg/linear_algebra/krylov.h>
 
 #include <map>
@@ -15,11 +16,14 @@ namespace Thalweg
   /// What a scalar was given, in its unit times the capacity's times m^dim.
   struct ScalarSupply
   {
-    std::map<dealii::types::boundary_id, double> through; ///< boundaries
-    double                                       source = 0.;
+    double through = 0.; ///< boundaries
+    double source  = 0.;
 
     double
-    total() const;
+    total() const
+    {
+      return through + source;
+    }
   };
 
   /**
@@ -91,7 +95,7 @@ namespace Thalweg
      * @return by boundary, of this rank: fluxes and the measures that belong
      *   to them
      */
-    std::map<dealii::types::boundary_id, std::vector<std::pair<double, double>>>
+    BoundaryFluxes
     fluxes(const Vector &scalar, const double time);
 
   private:
@@ -107,15 +111,28 @@ namespace Thalweg
     void
     collect_given_nodes();
 
-    /// Calls @p visit(node, boundary, amount a second, rate a second and unit
-    /// of the scalar) for what faces supply to nodes of owned cells.
+    /// Calls @p visit(node, amount a second, rate a second and unit of the
+    /// scalar) for what faces supply to nodes of owned cells.
     template <typename Visitor>
     void
     for_each_supply(const Visitor &visit) const;
 
+    /// What given nodes have at @p time, s.
+    std::vector<double>
+    given_values(const double time) const;
+
+    /// Sets them to it, one value a GivenNode. Collective.
+    void
+    set_given(Vector &scalar, const std::vector<double> &values) const;
+
     /// Finds load and exchange at @p time.
     void
     find_load(const double time);
+
+    /// Finds what each node gets in a second by diffusion and from outside,
+    /// into `residual`; after find_load().
+    void
+    find_gain(const Vector &scalar);
 
     /**
      * @brief One implicit stage of @p tau, s, to @p time.

@@ -4,6 +4,7 @@
 
 #include <thalweg/fields/node_space.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,20 +12,21 @@
 
 namespace Thalweg
 {
+  /// At nodes of this rank where a scalar is given, by boundary: what flows out
+  /// through an area in a second, and the area.
+  using BoundaryFluxes = std::map<dealii::types::boundary_id,
+                                  std::vector<std::pair<double, double>>>;
+
   /// What a method with a scalar offers under "scalars", on each mesh anew.
   template <int dim>
   struct ScalarView
   {
-    std::string           unit; ///< of the scalar, as the user wrote it
     const NodeSpace<dim> &space;
-    Vector                field; ///< at the nodes, ghosted and consistent
-
+    Vector                field{}; ///< at the nodes, ghosted and consistent
     /// The names of the boundaries where the value is given.
     std::map<dealii::types::boundary_id, std::string> given{};
-    /// What flows out where the value is given, by boundary: at each node of
-    /// this rank the flux through an area in a second, and its area.
-    std::map<dealii::types::boundary_id, std::vector<std::pair<double, double>>>
-      fluxes{};
+    /// What flows out there, at a time in s. Collective.
+    std::function<BoundaryFluxes(const double)> fluxes{};
   };
 } // namespace Thalweg
 

@@ -141,6 +141,10 @@ namespace Thalweg
                                 : "'Methods/" + host->name + "'";
     }
 
+    /// "least [K]"
+    std::string
+    with_unit(const std::string &column) const;
+
     /// What comes in through a boundary, see InflowValue.
     double
     inflow(const dealii::types::boundary_id id,

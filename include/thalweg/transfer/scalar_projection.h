@@ -71,7 +71,7 @@ namespace Thalweg
     const NodeSpace<dim>              &space;
     double                             length; ///< the unit of offsets, m
     std::vector<QuadraticMoments<dim>> nodal;
-    Vector                             least, greatest, sums;
+    Vector                             least, greatest;
     std::vector<NodeTarget<dim>>       targets;
   };
 } // namespace Thalweg

@@ -4,8 +4,6 @@
 #include <thalweg/core/mpi_session.h>
 #include <thalweg/simulation/program.h>
 
-#include <cstdlib>
-
 // Runs before the constructors of all libraries.
 [[gnu::section(".preinit_array"),
   gnu::used]] void (*before_libraries)() = Thalweg::note_ignored_signals;
@@ -13,9 +11,6 @@
 int
 main(int argc, char **argv)
 {
-  // A part of Open MPI that nobody uses here has room for file names of 255
-  // letters, and writes beyond.
-  setenv("OMPI_MCA_sharedfp", "^lockedfile", 0);
   const Thalweg::MpiSession mpi;
   return Thalweg::run_guarded(MPI_COMM_WORLD, [argc, argv]() {
     return Thalweg::run_program(MPI_COMM_WORLD,

@@ -24,6 +24,13 @@ namespace Thalweg
     MpiSession();
 
   private:
+    /// What Open MPI reads of its environment when it starts.
+    struct Surroundings
+    {
+      Surroundings();
+    };
+
+    Surroundings                             surroundings;
     std::array<std::string, 4>               words;
     std::array<char *, 5>                    arguments;
     int                                      n_arguments;

@@ -73,7 +73,7 @@ TEST(TracersMpi, TimesInAChannelAreExactAtAnyStep)
   for (double y = 1. / 32.; y < 1.; y += 1. / 16.)
     for (double x = 1. / 32.; x < .5; x += 1. / 16., ++n)
       sum += (1. - x) / piecewise_linear(y);
-  for (const std::string dt : {"0.02", "0.7"})
+  for (const std::string dt : {"0.05", "0.7"})
     {
       const RunCase<2> run(unit_box<2>(8) +
                            in_flow("4*y*(1-y); 0",

@@ -15,7 +15,7 @@ namespace
     return section("Method",
                    {},
                    section("pfem2", {"Time integration = " + integration})) +
-           section("Geometry", {}, section("box", {"Repetitions = 10, 10"})) +
+           section("Geometry", {}, section("box", {"Repetitions = 8, 8"})) +
            section("Time",
                    {"End time = " + std::to_string(end_time),
                     "Time step = 0.02"}) +

@@ -16,7 +16,10 @@ namespace
   {
     return (dim == 2 ? box_of("12, 12", "if(y < 0.3, 1, 0)")
                      : box_of("6, 6, 6", "if(x < 0.5, 1, 0)")) +
-           section("Time", {"Time step = 0.01", "End time = 0.12"}) +
+           section("Time",
+                   {"Time step = 0.01",
+                    std::string("End time = ") +
+                      (dim == 2 ? "0.12" : "0.05")}) +
            section("Body forces",
                    {std::string("Gravity = 0, -9.81") +
                     (dim == 2 ? "" : ", 0")}) +

@@ -2,6 +2,8 @@
 #include <thalweg/core/registry.h>
 #include <thalweg/fluid/scalar_operator.h>
 
+#include <cmath>
+
 namespace Thalweg
 {
   namespace
@@ -46,6 +48,7 @@ namespace Thalweg
     for (Vector *vector : {&mass,
                            &volume,
                            &diagonal,
+                           &row_sums,
                            &shift,
                            &preconditioner.inverse_diagonal,
                            &work})
@@ -91,27 +94,23 @@ namespace Thalweg
                               const Material        &capacity,
                               const Material        &conductivity)
   {
-    const auto &graph = space.mesh().graph();
-    mass              = 0.;
-    volume            = 0.;
-    diagonal          = 0.;
-    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+    lump(phase, capacity, mass);
+    lump(phase, {{1., 1.}}, volume);
+    diagonal = 0.;
+    row_sums = 0.;
+    for (unsigned int c = 0; c < couplings.size(); ++c)
       {
         set_couplings(c, phase, conductivity);
-        const auto  &nodes    = space.nodes(c);
-        const auto   measures = integrals.node_measures(graph.cell(c));
-        const double mean = arithmetic_mean(part_of_first(phase, c), capacity);
-        for (unsigned int i = 0; i < n_vertices; ++i)
-          {
-            volume.local_element(nodes[i]) += measures[i];
-            mass.local_element(nodes[i]) += mean * measures[i];
-          }
+        const auto &nodes = space.nodes(c);
         for (unsigned int i = 1, k = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < i; ++j, ++k)
             for (const unsigned int node : {nodes[i], nodes[j]})
-              diagonal.local_element(node) += couplings[c][k];
+              {
+                diagonal.local_element(node) += couplings[c][k];
+                row_sums.local_element(node) += 2. * std::abs(couplings[c][k]);
+              }
       }
-    for (Vector *vector : {&mass, &volume, &diagonal})
+    for (Vector *vector : {&diagonal, &row_sums})
       {
         space.fold(*vector, 1);
         vector->zero_out_ghost_values();
@@ -122,18 +121,42 @@ namespace Thalweg
 
   template <int dim>
   void
-  ScalarOperator<dim>::set_step(const double             tau,
-                                const Vector            &exchange,
-                                const std::vector<bool> &is_given)
+  ScalarOperator<dim>::lump(const PhaseField<dim> &phase,
+                            const Material        &material,
+                            Vector                &amount) const
+  {
+    const auto &graph = space.mesh().graph();
+    amount            = 0.;
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto   measures = integrals.node_measures(graph.cell(c));
+        const double mean = arithmetic_mean(part_of_first(phase, c), material);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          amount.local_element(space.nodes(c)[i]) += mean * measures[i];
+      }
+    space.fold(amount, 1);
+    amount.zero_out_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  ScalarOperator<dim>::set_step(const double               tau,
+                                const Vector              &exchange,
+                                const std::vector<bool>   &is_given,
+                                const std::vector<double> &slopes)
   {
     is_fixed        = is_given;
     Vector &inverse = preconditioner.inverse_diagonal;
     for (unsigned int n = 0; n < space.n_owned_nodes(); ++n)
       {
+        const double slope = slopes.empty() ? 1. : slopes[n];
+        is_fixed[n] = is_fixed[n] || space.is_dependent(n) || slope == 0.;
         shift.local_element(n) =
-          mass.local_element(n) / tau + exchange.local_element(n);
-        if (space.is_dependent(n))
-          is_fixed[n] = true;
+          is_fixed[n]
+            ? 0.
+            : mass.local_element(n) / (tau * slope) + exchange.local_element(n);
         inverse.local_element(n) =
           is_fixed[n]
             ? 1.

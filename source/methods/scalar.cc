@@ -6,6 +6,7 @@
 #include <thalweg/methods/scalar.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Thalweg
@@ -44,6 +45,16 @@ namespace Thalweg
                         std::numeric_limits<double>::min(),
                         "Capacity");
     });
+    collect_fault(faults, [&]() {
+      const auto values =
+        read_fluid_values(parameters.latent_heat, fluids, 0., "Latent heat");
+      AssertThrow(fluids.size() == 1 || values[0] == 0. || values[1] == 0.,
+                  dealii::ExcMessage(
+                    "'Latent heat' lets both fluids melt, but only one can: "
+                    "write '" +
+                    fluids[0].name + ": " + parameters.latent_heat + ", " +
+                    fluids[1].name + ": 0', or the other way round."));
+    });
   }
 
 
@@ -63,13 +74,27 @@ namespace Thalweg
       parameters.carrier,
       "particles",
       who() + ", in 'Methods/Names' behind a flow,");
-    property =
-      particles->add_property(host->name.empty() ? "scalar" : host->name,
+    const std::string property = host->name.empty() ? "scalar" : host->name;
+    heat                       = ParticleHeat();
+    heat.value =
+      particles->add_property(property,
                               [this](const dealii::types::boundary_id id,
                                      const dealii::Point<dim>        &place,
                                      const double before_end) {
                                 return inflow(id, place, before_end);
                               });
+    if (parameters.melts())
+      heat.molten =
+        particles->add_property(property + " molten",
+                                [this](const dealii::types::boundary_id id,
+                                       const dealii::Point<dim>        &place,
+                                       const double before_end) {
+                                  const double value =
+                                    inflow(id, place, before_end);
+                                  return std::isnan(value)
+                                           ? value
+                                           : melting_point().molten_at(value);
+                                });
     population = &particles->population();
   }
 
@@ -80,6 +105,7 @@ namespace Thalweg
   Scalar<dim>::release()
   {
     diffusion.reset();
+    molten_projection.reset();
     projection.reset();
     view.reset();
     population = nullptr;
@@ -100,10 +126,6 @@ namespace Thalweg
       if (conditions->at(id).kind == ScalarBoundary::value)
         view->given[id] = name;
     projection   = std::make_unique<ScalarProjection<dim>>(space);
-    diffusion    = std::make_unique<ScalarDiffusion<dim>>(space,
-                                                       *conditions,
-                                                       source.get(),
-                                                       parameters.tolerance);
     capacity     = read_fluid_values(parameters.capacity,
                                  medium.fluids,
                                  std::numeric_limits<double>::min(),
@@ -114,6 +136,26 @@ namespace Thalweg
                                      "Diffusivity");
     for (unsigned int f = 0; f < 2; ++f)
       conductivity[f] *= capacity[f];
+    latent_heat = read_fluid_values(parameters.latent_heat,
+                                    medium.fluids,
+                                    0.,
+                                    "Latent heat");
+    for (unsigned int f = 0; f < 2; ++f)
+      {
+        heat.laws[f]        = melting_point();
+        heat.laws[f].latent = latent_heat[f] / capacity[f];
+      }
+    diffusion =
+      std::make_unique<ScalarDiffusion<dim>>(space,
+                                             *conditions,
+                                             source.get(),
+                                             parameters.tolerance,
+                                             heat.laws[heat.melts(0) ? 0 : 1]);
+    if (parameters.melts())
+      {
+        space.initialize_scalar(view->molten);
+        molten_projection = std::make_unique<ScalarProjection<dim>>(space);
+      }
     view->fluxes = [this](const double time) {
       return diffusion->fluxes(view->field, time);
     };
@@ -128,10 +170,26 @@ namespace Thalweg
     attach();
     const auto function =
       parse_expression<dim>(parameters.initial, 1, "Initial value");
+    const Melting point = melting_point();
     for (const auto &particle : population->particles())
-      particle.properties()[property] = function->value(particle.position());
+      {
+        const auto   row   = particle.properties();
+        const double value = function->value(particle.position());
+        row[heat.value]    = value;
+        if (parameters.melts())
+          row[heat.molten] = heat.melts(Population<dim>::fluid_of(row))
+                               ? point.molten_at(value)
+                               : 0.;
+      }
     interpolate_function(view->space, *function, view->field);
     update_operator();
+    if (parameters.melts())
+      {
+        for (unsigned int n = 0; n < view->space.n_owned_nodes(); ++n)
+          view->molten.local_element(n) =
+            point.molten_at(view->field.local_element(n));
+        set_fields(heat_at_nodes(view->field, view->molten));
+      }
     at_start = content();
     through = supplied = with_flow = correction = 0.;
   }
@@ -148,6 +206,8 @@ namespace Thalweg
     values.value("supplied", supplied);
     values.value("with flow", with_flow);
     state.field("field", view->space, view->field, 1);
+    if (parameters.melts())
+      state.field("molten", view->space, view->molten, 1);
   }
 
 
@@ -156,17 +216,20 @@ namespace Thalweg
   std::vector<std::string>
   Scalar<dim>::columns() const
   {
-    return {"content",
-            "through boundaries",
-            "supplied",
-            "with the flow",
-            "unaccounted",
-            "correction",
-            with_unit("least"),
-            with_unit("greatest"),
-            with_unit("least on the mesh"),
-            with_unit("greatest on the mesh"),
-            "diffusion iterations"};
+    std::vector<std::string> names{"content",
+                                   "through boundaries",
+                                   "supplied",
+                                   "with the flow",
+                                   "unaccounted",
+                                   "correction",
+                                   with_unit("least"),
+                                   with_unit("greatest"),
+                                   with_unit("least on the mesh"),
+                                   with_unit("greatest on the mesh"),
+                                   "diffusion iterations"};
+    if (parameters.melts())
+      names.push_back("molten part");
+    return names;
   }
 
 
@@ -203,7 +266,7 @@ namespace Thalweg
       greatest = std::numeric_limits<double>::lowest();
     };
     for (const auto &particle : std::as_const(*population).particles())
-      include(particle.properties()[property]);
+      include(particle.properties()[heat.value]);
     set("");
     for (unsigned int n = 0; n < view->space.n_owned_nodes(); ++n)
       if (!view->space.is_dependent(n))
@@ -219,6 +282,9 @@ namespace Thalweg
                    present - at_start - through - supplied - with_flow);
     statistics.set("correction", correction);
     statistics.set("diffusion iterations", iterations);
+    if (parameters.melts())
+      statistics.set("molten part",
+                     diffusion->melting().molten_part(view->molten));
   }
 
 

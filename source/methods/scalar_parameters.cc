@@ -46,6 +46,22 @@ namespace Thalweg
                 "the scalar times the capacity (W/m^3 of heat), a function of "
                 "x, y, z and t.",
                 Anything());
+    section.add(
+      "Latent heat",
+      latent_heat,
+      "",
+      "What it takes to melt a cubic metre, in units of the scalar "
+      "times the capacity (J/m^3 of heat); `wax: 1.8e8, air: 0` where "
+      "there are two fluids, of which one may melt.");
+    section.add("Solidus",
+                solidus,
+                "",
+                "The value of the scalar at which it begins to melt.");
+    section.add("Liquidus",
+                liquidus,
+                "",
+                "The value at which all has molten; that of the solidus, if "
+                "there is one melting point.");
     section.add("Tolerance",
                 tolerance,
                 "",
@@ -68,6 +84,18 @@ namespace Thalweg
           parse_expression<dim>(expression, 1, where);
         });
       }
+    collect_fault(faults, [this]() {
+      AssertThrow(
+        liquidus >= solidus,
+        dealii::ExcMessage(
+          "'Liquidus' is below 'Solidus': what melts begins to at the "
+          "solidus, and is liquid above the liquidus; for one melting "
+          "point both are the same."));
+      AssertThrow(melts() || (liquidus == 0. && solidus == 0.),
+                  dealii::ExcMessage("'Solidus' and 'Liquidus' are for what "
+                                     "melts: give a 'Latent heat', or leave "
+                                     "them out."));
+    });
   }
 
 

@@ -1,51 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // How a scalar makes a step.
 #include <thalweg/core/registry.h>
-#include <thalweg/fields/q1_cell.h>
 #include <thalweg/methods/scalar.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace Thalweg
 {
-  namespace
-  {
-    /// Those particles of a fluid in a cell that know the scalar.
-    class KnownOnes
-    {
-    public:
-      /// @param misfit of its value from what the field says there
-      void
-      add(const double value, const double misfit, const double volume)
-      {
-        least    = std::min(least, value);
-        greatest = std::max(greatest, value);
-        weights += volume;
-        misfits += volume * misfit;
-      }
-
-      /// What a new one has where the field says @p value: if it gets its
-      /// volume from them, so much that nothing is lost.
-      double
-      of_new_one(const double value) const
-      {
-        return weights > 0.
-                 ? std::clamp(value + misfits / weights, least, greatest)
-                 : value;
-      }
-
-    private:
-      double least    = std::numeric_limits<double>::max();
-      double greatest = std::numeric_limits<double>::lowest();
-      double weights = 0., misfits = 0.;
-    };
-  } // namespace
-
-
-
   template <int dim>
   double
   Scalar<dim>::inflow(const dealii::types::boundary_id id,
@@ -65,7 +27,29 @@ namespace Thalweg
   void
   Scalar<dim>::update_operator()
   {
-    diffusion->update(medium().phase, capacity, conductivity);
+    diffusion->update(medium().phase, capacity, conductivity, latent_heat);
+  }
+
+
+
+  template <int dim>
+  Vector
+  Scalar<dim>::heat_at_nodes(const Vector &value, const Vector &molten) const
+  {
+    Vector joined(value);
+    if (parameters.melts())
+      diffusion->melting().join(value, molten, joined);
+    return joined;
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::set_fields(const Vector &heat_at_nodes)
+  {
+    diffusion->melting().find_value(heat_at_nodes, view->field);
+    diffusion->melting().find_molten(heat_at_nodes, view->molten);
   }
 
 
@@ -75,7 +59,7 @@ namespace Thalweg
   Scalar<dim>::content() const
   {
     if (medium().fluids.size() == 1)
-      return diffusion->content(view->field);
+      return diffusion->content(heat_at_nodes(view->field, view->molten));
     double sum = 0.;
     for (const Population<dim> *all :
          {static_cast<const Population<dim> *>(population),
@@ -83,136 +67,13 @@ namespace Thalweg
       if (all != nullptr)
         for (const auto &particle : all->particles())
           {
-            const auto properties = particle.properties();
-            if (!std::isnan(properties[property]))
-              sum += properties[Population<dim>::volume_offset] *
-                     capacity[Population<dim>::fluid_of(properties)] *
-                     properties[property];
+            const auto         row   = particle.properties();
+            const unsigned int fluid = Population<dim>::fluid_of(row);
+            if (!std::isnan(row[heat.value]))
+              sum += row[Population<dim>::volume_offset] * capacity[fluid] *
+                     heat.of(fluid, row);
           }
     return dealii::Utilities::MPI::sum(sum, host->context.communicator);
-  }
-
-
-
-  template <int dim>
-  template <typename Add>
-  void
-  Scalar<dim>::for_each_increment(const Vector &before, const Add &add)
-  {
-    const auto &space = view->space;
-    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      {
-        const auto                    &nodes = space.nodes(c);
-        std::array<double, (1 << dim)> increment;
-        bool                           is_zero = true;
-        for (unsigned int v = 0; v < nodes.size(); ++v)
-          {
-            increment[v] = view->field.local_element(nodes[v]) -
-                           before.local_element(nodes[v]);
-            is_zero = is_zero && increment[v] == 0.;
-          }
-        if (is_zero)
-          continue;
-        for (const auto &particle : population->in_cell(c))
-          {
-            const auto properties = particle.properties();
-            add(properties[property],
-                Q1::value<dim>(increment, particle.reference()),
-                properties[Population<dim>::volume_offset] *
-                  capacity[Population<dim>::fluid_of(properties)]);
-          }
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  Scalar<dim>::add_increment(const Vector &before, const double supply)
-  {
-    if (medium().fluids.size() == 1)
-      {
-        for_each_increment(before,
-                           [](double &value, const double increment, double) {
-                             value += increment;
-                           });
-        return;
-      }
-    // The particles' volumes are no quadrature: where the increments are, they
-    // get what is missing, too.
-    std::array<double, 2> sums{};
-    for_each_increment(
-      before, [&](double &, const double increment, const double mass) {
-        sums[0] += mass * increment;
-        sums[1] += mass * std::abs(increment);
-      });
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), 2),
-                                host->context.communicator,
-                                dealii::ArrayView<double>(sums.data(), 2));
-    const double missing = supply - sums[0];
-    const double part    = sums[1] > 0. ? missing / sums[1] : 0.;
-    correction += missing;
-    for_each_increment(before,
-                       [&](double &value, const double increment, double) {
-                         value += increment + part * std::abs(increment);
-                       });
-  }
-
-
-
-  template <int dim>
-  void
-  Scalar<dim>::fill_unknown(const Vector &field)
-  {
-    const auto &space = view->space;
-    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      {
-        const auto particles_here = population->in_cell(c);
-        bool       is_missing     = false;
-        for (const auto &particle : particles_here)
-          is_missing =
-            is_missing || std::isnan(particle.properties()[property]);
-        if (!is_missing)
-          continue;
-        std::array<double, (1 << dim)> nodal;
-        for (unsigned int v = 0; v < nodal.size(); ++v)
-          nodal[v] = field.local_element(space.nodes(c)[v]);
-        std::array<KnownOnes, 2> known;
-        for (const auto &particle : particles_here)
-          {
-            const auto   properties = particle.properties();
-            const double value      = properties[property];
-            if (!std::isnan(value))
-              known[Population<dim>::fluid_of(properties)].add(
-                value,
-                value - Q1::value<dim>(nodal, particle.reference()),
-                properties[Population<dim>::volume_offset]);
-          }
-        for (const auto &particle : particles_here)
-          {
-            const auto properties = particle.properties();
-            double    &value      = properties[property];
-            if (std::isnan(value))
-              value = known[Population<dim>::fluid_of(properties)].of_new_one(
-                Q1::value<dim>(nodal, particle.reference()));
-          }
-      }
-  }
-
-
-
-  template <int dim>
-  Vector
-  Scalar<dim>::field_for_new_particles() const
-  {
-    Vector field(view->field);
-    field.zero_out_ghost_values();
-    for (unsigned int n = 0; n < field.locally_owned_size(); ++n)
-      field.local_element(n) = std::clamp(field.local_element(n),
-                                          projection->lower().local_element(n),
-                                          projection->upper().local_element(n));
-    diffusion->set_given(field, end_of_step);
-    return field;
   }
 
 
@@ -227,9 +88,16 @@ namespace Thalweg
       return;
     dealii::TimerOutput::Scope scope(host->context.timers, "scalars");
     ScalarSupply               supply;
-    Vector                     before(view->field);
-    before.update_ghost_values();
-    iterations += diffusion->advance(view->field, time, dt, supply);
+    const Fields               before = fields();
+    if (parameters.melts())
+      {
+        Vector heats = heat_at_nodes(view->field, view->molten);
+        heats.update_ghost_values();
+        iterations += diffusion->advance(heats, time, dt, supply);
+        set_fields(heats);
+      }
+    else
+      iterations += diffusion->advance(view->field, time, dt, supply);
     const MPI_Comm communicator = host->context.communicator;
     supply.through = dealii::Utilities::MPI::sum(supply.through, communicator);
     supply.source  = dealii::Utilities::MPI::sum(supply.source, communicator);
@@ -245,18 +113,21 @@ namespace Thalweg
   Scalar<dim>::project()
   {
     dealii::TimerOutput::Scope scope(host->context.timers, "scalars");
-    projection->project(*population, property, view->field);
-    fill_unknown(field_for_new_particles());
+    project_particles();
     update_operator();
+    if (parameters.melts())
+      balance();
     // What particles beside a boundary have is theirs, whatever is given there.
-    diffusion->set_given(view->field, end_of_step - half_step);
+    Vector heats = heat_at_nodes(view->field, view->molten);
+    diffusion->set_given_heat(heats, end_of_step - half_step);
     if (medium().fluids.size() == 1 &&
         dealii::Utilities::MPI::sum(medium().boundary.passable_faces().size(),
                                     host->context.communicator) == 0)
-      {
-        correction = before_motion - diffusion->content(view->field);
-        give_back();
-      }
+      give_back(heats);
+    if (parameters.melts())
+      set_fields(heats);
+    else
+      view->field.swap(heats);
     with_flow += content() - before_motion;
   }
 
@@ -264,26 +135,42 @@ namespace Thalweg
 
   template <int dim>
   void
-  Scalar<dim>::give_back()
+  Scalar<dim>::balance()
   {
-    Vector room;
-    view->space.initialize_scalar(room);
-    const Vector &bound =
-      correction > 0. ? projection->upper() : projection->lower();
+    const Fields before = fields();
+    set_fields(heat_at_nodes(view->field, view->molten));
+    add_increment(before, 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::give_back(Vector &heats)
+  {
+    correction = before_motion - diffusion->content(heats);
+    const auto bound_of =
+      [&](const ScalarProjection<dim> &bounds) -> const Vector & {
+      return correction > 0. ? bounds.upper() : bounds.lower();
+    };
+    Vector room =
+      heat_at_nodes(bound_of(*projection),
+                    parameters.melts() ? bound_of(*molten_projection)
+                                       : view->molten);
     for (unsigned int n = 0; n < room.locally_owned_size(); ++n)
       {
-        const double distance =
-          bound.local_element(n) - view->field.local_element(n);
+        const double distance = room.local_element(n) - heats.local_element(n);
         room.local_element(n) =
           correction > 0. ? std::max(0., distance) : std::min(0., distance);
       }
+    room.zero_out_ghost_values();
     diffusion->clear_given(room);
     const double all = diffusion->content(room);
     if (all == 0.)
       return;
-    view->field.zero_out_ghost_values();
-    view->field.add(correction / all, room);
-    view->space.interpolate(view->field, 1);
+    heats.zero_out_ghost_values();
+    heats.add(correction / all, room);
+    view->space.interpolate(heats, 1);
   }
 
 
@@ -312,19 +199,20 @@ namespace Thalweg
 
 
 
-#define THALWEG_INSTANTIATE_STEP(dim)                                       \
-  template double Scalar<dim>::inflow(const dealii::types::boundary_id,     \
-                                      const dealii::Point<dim> &,           \
-                                      const double) const;                  \
-  template void   Scalar<dim>::update_operator();                           \
-  template void   Scalar<dim>::add_increment(const Vector &, const double); \
-  template double Scalar<dim>::content() const;                             \
-  template void   Scalar<dim>::fill_unknown(const Vector &);                \
-  template Vector Scalar<dim>::field_for_new_particles() const;             \
-  template void   Scalar<dim>::diffuse(const double, const double);         \
-  template void   Scalar<dim>::project();                                   \
-  template void   Scalar<dim>::give_back();                                 \
-  template void   Scalar<dim>::begin_step(const double, const double);      \
+#define THALWEG_INSTANTIATE_STEP(dim)                                        \
+  template double Scalar<dim>::inflow(const dealii::types::boundary_id,      \
+                                      const dealii::Point<dim> &,            \
+                                      const double) const;                   \
+  template void   Scalar<dim>::update_operator();                            \
+  template void   Scalar<dim>::set_fields(const Vector &);                   \
+  template Vector Scalar<dim>::heat_at_nodes(const Vector &, const Vector &) \
+    const;                                                                   \
+  template double Scalar<dim>::content() const;                              \
+  template void   Scalar<dim>::diffuse(const double, const double);          \
+  template void   Scalar<dim>::project();                                    \
+  template void   Scalar<dim>::balance();                                    \
+  template void   Scalar<dim>::give_back(Vector &);                          \
+  template void   Scalar<dim>::begin_step(const double, const double);       \
   template void   Scalar<dim>::advance(const double, const double);
   THALWEG_INSTANTIATE_STEP(2)
   THALWEG_INSTANTIATE_STEP(3)

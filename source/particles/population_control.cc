@@ -3,6 +3,7 @@
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/particles/population_control.h>
 #include <thalweg/particles/sub_cell.h>
+#include <thalweg/particles/volume_sharing.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -58,58 +59,22 @@ namespace Thalweg
       return holes;
     }
 
-    /// Lets the particles of @p fluid in a cell, but for the last @p n_left_out
-    /// of all, carry equal parts of what they carry together.
+    /// Those of @p fluid in a cell, but for the last @p n_left_out of all.
     template <int dim>
     void
-    share_volume(Population<dim>   &population,
-                 const unsigned int cell,
-                 const unsigned int fluid,
-                 const unsigned int n_left_out)
+    find_sharing(Population<dim>                                 &population,
+                 const unsigned int                               cell,
+                 const unsigned int                               fluid,
+                 const unsigned int                               n_left_out,
+                 std::vector<typename Population<dim>::Particle> &sharing)
     {
-      const unsigned int n_sharing = population.n_in_cell(cell) - n_left_out;
-      double             sum       = 0;
-      unsigned int       n = 0, k = 0;
+      const unsigned int n = population.n_in_cell(cell) - n_left_out;
+      unsigned int       k = 0;
+      sharing.clear();
       for (const auto &particle : population.in_cell(cell))
-        if (const auto properties = particle.properties();
-            k++ < n_sharing && Population<dim>::fluid_of(properties) == fluid)
-          {
-            sum += properties[Population<dim>::volume_offset];
-            ++n;
-          }
-      k = 0;
-      for (const auto &particle : population.in_cell(cell))
-        if (const auto properties = particle.properties();
-            k++ < n_sharing && Population<dim>::fluid_of(properties) == fluid)
-          properties[Population<dim>::volume_offset] = sum / n;
-    }
-
-    /// Gives what one particle carries to another one, with its momentum.
-    /// Place and level set stay: a plane remains a plane.
-    template <int dim>
-    void
-    merge(const typename Population<dim>::Particle &from,
-          const typename Population<dim>::Particle &into)
-    {
-      constexpr unsigned int velocity = Population<dim>::velocity_offset;
-      const auto             given    = from.properties();
-      const auto             kept     = into.properties();
-      const double           added    = given[Population<dim>::volume_offset];
-      double                &sum      = kept[Population<dim>::volume_offset];
-      sum += added;
-      if (sum > 0)
-        {
-          const auto mix = [&](const unsigned int k) {
-            kept[k] += added / sum * (given[k] - kept[k]);
-          };
-          for (unsigned int d = 0; d < dim; ++d)
-            mix(velocity + d);
-        }
-      for (unsigned int k = Population<dim>::n_properties; k < kept.size(); ++k)
-        if (std::isnan(kept[k])) // it says nothing that the other did not
-          kept[k] = given[k];
-        else if (sum > 0 && !std::isnan(given[k]))
-          kept[k] += added / sum * (given[k] - kept[k]);
+        if (k++ < n &&
+            Population<dim>::fluid_of(particle.properties()) == fluid)
+          sharing.push_back(particle);
     }
 
     /// The particles of one fluid in one cell.
@@ -163,7 +128,7 @@ namespace Thalweg
               choose(i, j);
         is_removed[removed] = true;
         if (carry && kept != removed)
-          merge<dim>(particles[removed], particles[kept]);
+          merge(particles[removed], particles[kept]);
       }
     };
 
@@ -321,18 +286,23 @@ namespace Thalweg
       }
     population.insert(filling, holes.cells);
     if (parameters.carry_volume)
-      for (unsigned int i = 0; i < feet.size(); ++i)
-        {
-          // One after the other.
-          unsigned int n_later = 0;
-          while (i + n_later + 1 < feet.size() &&
-                 holes.cells[i + n_later + 1] == holes.cells[i])
-            ++n_later;
-          share_volume(population,
-                       holes.cells[i],
-                       Population<dim>::fluid_of(filling[i].properties()),
-                       n_later);
-        }
+      {
+        std::vector<typename Population<dim>::Particle> sharing;
+        for (unsigned int i = 0; i < feet.size(); ++i)
+          {
+            // One after the other.
+            unsigned int n_later = 0;
+            while (i + n_later + 1 < feet.size() &&
+                   holes.cells[i + n_later + 1] == holes.cells[i])
+              ++n_later;
+            find_sharing(population,
+                         holes.cells[i],
+                         Population<dim>::fluid_of(filling[i].properties()),
+                         n_later,
+                         sharing);
+            share_volume(sharing);
+          }
+      }
     return feet.size();
   }
 

@@ -42,6 +42,10 @@ namespace Thalweg
       {
         dealii::DataOut<dim> data;
         data.add_data_vector(scalar.space.scalar(), scalar.field, name);
+        if (scalar.molten.size() > 0)
+          data.add_data_vector(scalar.space.scalar(),
+                               scalar.molten,
+                               name + "_molten");
         data.build_patches();
         record.write(context, data, now.time, now.step);
       }

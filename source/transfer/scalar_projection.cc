@@ -42,18 +42,20 @@ namespace Thalweg
 
   template <int dim>
   void
-  ScalarProjection<dim>::add_cell(const Population<dim> &population,
-                                  const unsigned int     property,
-                                  const unsigned int     cell,
-                                  const Vector          &guess)
+  ScalarProjection<dim>::add_cell(const Population<dim>     &population,
+                                  const unsigned int         property,
+                                  const unsigned int         cell,
+                                  const Vector              &guess,
+                                  const std::array<bool, 2> &fluids)
   {
     const auto  &monomials = Monomials<dim>::instance();
     const double inverse   = 1. / length;
     find_node_targets(space, cell, targets);
     for (const auto &particle : population.in_cell(cell))
       {
-        const double value = particle.properties()[property];
-        if (std::isnan(value))
+        const auto   row   = particle.properties();
+        const double value = row[property];
+        if (std::isnan(value) || !fluids[Population<dim>::fluid_of(row)])
           continue;
         const auto shape = Q1::values<dim>(particle.reference());
         for (const NodeTarget<dim> &target : targets)
@@ -111,9 +113,10 @@ namespace Thalweg
 
   template <int dim>
   void
-  ScalarProjection<dim>::project(const Population<dim> &population,
-                                 const unsigned int     property,
-                                 Vector                &scalar)
+  ScalarProjection<dim>::project(const Population<dim>     &population,
+                                 const unsigned int         property,
+                                 Vector                    &scalar,
+                                 const std::array<bool, 2> &fluids)
   {
     std::fill(nodal.begin(), nodal.end(), QuadraticMoments<dim>());
     least.zero_out_ghost_values();
@@ -124,7 +127,7 @@ namespace Thalweg
         greatest.local_element(node) = std::numeric_limits<double>::lowest();
       }
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
-      add_cell(population, property, c, scalar);
+      add_cell(population, property, c, scalar, fluids);
     join();
 
     scalar.zero_out_ghost_values();

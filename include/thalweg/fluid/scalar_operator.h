@@ -46,12 +46,26 @@ namespace Thalweg
            const Material        &capacity,
            const Material        &conductivity);
 
-    /// For time steps of @p tau, s, from now on. @param exchange H, an owned
-    /// value a node @param is_given nodes whose value does not change
+    /// What there is of a material around each node, owned values; 0 at
+    /// dependent nodes. Collective.
+    /// @param material amount a volume
     void
-    set_step(const double             tau,
-             const Vector            &exchange,
-             const std::vector<bool> &is_given);
+    lump(const PhaseField<dim> &phase,
+         const Material        &material,
+         Vector                &amount) const;
+
+    /**
+     * @brief For time steps of @p tau, s, from now on.
+     * @param exchange H, an owned value a node
+     * @param is_given nodes whose value does not change
+     * @param slopes by how much the value of a node changes with what it holds
+     *   over its capacity, where that is not 1; without those that melt empty
+     */
+    void
+    set_step(const double               tau,
+             const Vector              &exchange,
+             const std::vector<bool>   &is_given,
+             const std::vector<double> &slopes);
 
     /// Lumped capacities, owned values; 0 at dependent nodes.
     const Vector &
@@ -77,6 +91,14 @@ namespace Thalweg
     void
     vmult(Vector &result, const Vector &increment) const;
 
+    /// Of each node what is no less than K in the sense of quadratic forms:
+    /// the sums of the absolute values of its rows.
+    const Vector &
+    majorant() const
+    {
+      return row_sums;
+    }
+
     const Jacobi<Vector> &
     jacobi() const
     {
@@ -99,6 +121,7 @@ namespace Thalweg
     std::vector<std::array<double, n_pairs>> couplings;
     Vector                                   mass, volume;
     Vector                                   diagonal; ///< of K
+    Vector                                   row_sums; ///< of its absolutes
     Vector                                   shift;    ///< C/tau + H
     std::vector<bool>                        is_fixed;
     Jacobi<Vector>                           preconditioner;

@@ -23,6 +23,8 @@ namespace Thalweg
   {
     const NodeSpace<dim> &space;
     Vector                field{}; ///< at the nodes, ghosted and consistent
+    /// Likewise which part is molten; empty where nothing melts.
+    Vector molten{};
     /// The names of the boundaries where the value is given.
     std::map<dealii::types::boundary_id, std::string> given{};
     /// What flows out there, at a time in s. Collective.

@@ -6,6 +6,7 @@
 #include <thalweg/fluid/scalar_view.h>
 #include <thalweg/methods/medium.h>
 #include <thalweg/methods/method.h>
+#include <thalweg/methods/particle_heat.h>
 #include <thalweg/methods/scalar_parameters.h>
 #include <thalweg/particles/particle_host.h>
 #include <thalweg/transfer/scalar_projection.h>
@@ -29,6 +30,10 @@ namespace Thalweg
    *    take the increment,
    * 2. they move, and their values are projected to the mesh,
    * 3. there it diffuses for the other half, of which they take the increment.
+   *
+   * Where something melts, particles carry their molten part, too, which is
+   * projected by itself: the scalar goes on from one fluid to the other, what
+   * is molten ends there.
    */
   template <int dim>
   class Scalar : public Method<dim>
@@ -103,7 +108,9 @@ namespace Thalweg
     void
     repopulate() override
     {
-      fill_unknown(view->field);
+      fill_unknown(heat.value, view->field);
+      if (parameters.melts())
+        fill_unknown(heat.molten, view->molten);
     }
 
     void
@@ -145,6 +152,13 @@ namespace Thalweg
     std::string
     with_unit(const std::string &column) const;
 
+    /// Where the fluid melts, without its latent heat.
+    Melting
+    melting_point() const
+    {
+      return {0., parameters.solidus, parameters.liquidus};
+    }
+
     /// What comes in through a boundary, see InflowValue.
     double
     inflow(const dealii::types::boundary_id id,
@@ -161,35 +175,63 @@ namespace Thalweg
     double
     content() const;
 
-    /// Calls @p add(scalar of a particle, increment, capacity of its volume)
-    /// with the increments that the field less @p before has at the particles.
+    /// The scalar and its molten part at the nodes.
+    struct Fields
+    {
+      Vector value, molten;
+    };
+
+    /// What the view has, ghosted.
+    Fields
+    fields() const;
+
+    /// The heat of values and molten parts at the nodes; owned values.
+    Vector
+    heat_at_nodes(const Vector &value, const Vector &molten) const;
+
+    /// Divides a heat between the fields of the view.
+    void
+    set_fields(const Vector &heat_at_nodes);
+
+    /// Calls @p add(row of a particle, increments of its value, its molten part
+    /// and its heat, capacity of its volume) with what the fields less
+    /// @p before have at the particles.
     template <typename Add>
     void
-    for_each_increment(const Vector &before, const Add &add);
+    for_each_increment(const Fields &before, const Add &add);
 
-    /// Adds the field less @p before to what particles carry; where they carry
+    /// Adds the fields less @p before to what particles carry; where they carry
     /// volumes it is made to hold @p supply.
     void
-    add_increment(const Vector &before, const double supply);
+    add_increment(const Fields &before, const double supply);
 
-    /// Gives particles that do not know the scalar what @p field says.
+    /// Gives particles that do not know a property what @p field says.
     void
-    fill_unknown(const Vector &field);
+    fill_unknown(const unsigned int property, const Vector &field);
 
-    /// What was projected, within the bounds of the particles and with the
-    /// values that are given at boundaries.
-    Vector
-    field_for_new_particles() const;
+    /// What was projected, within the bounds of the particles; owned values.
+    static Vector
+    within_bounds(const Vector &field, const ScalarProjection<dim> &projection);
+
+    /// Projects what particles carry, and fills those that do not know it.
+    void
+    project_particles();
 
     /// From the particles to the mesh; where nothing flows in or out what
     /// there is of the scalar stays what it is.
     void
     project();
 
-    /// Gives the correction to the nodes, in proportion to how far they are
-    /// from the bounds of the particles around them.
+    /// Lets what was projected melt or freeze at each node by itself, without
+    /// any heat from elsewhere.
     void
-    give_back();
+    balance();
+
+    /// Gives the nodes what the motion has taken from the content, in
+    /// proportion to how far they are from the bounds of the particles around
+    /// them.
+    void
+    give_back(Vector &heats);
 
     /// Says of the operator where the fluids are now.
     void
@@ -201,10 +243,13 @@ namespace Thalweg
     std::unique_ptr<dealii::Function<dim>> source; ///< nullptr without one
     ParticleHost<dim>                     *particles  = nullptr;
     Population<dim>                       *population = nullptr;
-    unsigned int                           property   = 0;
+    ParticleHeat                           heat;
     std::array<double, 2>                  capacity{}, conductivity{};
+    std::array<double, 2>                  latent_heat{};
     std::unique_ptr<ScalarView<dim>>       view;
     std::unique_ptr<ScalarProjection<dim>> projection;
+    /// Of the molten part; nullptr where nothing melts.
+    std::unique_ptr<ScalarProjection<dim>> molten_projection;
     std::unique_ptr<ScalarDiffusion<dim>>  diffusion;
     double                                 end_of_step = 0.; ///< s
     double                                 half_step   = 0.; ///< s

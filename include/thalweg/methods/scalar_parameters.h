@@ -16,7 +16,13 @@ namespace Thalweg
     void
     declare(const Section &section);
 
-    /// Appends what is wrong with expressions.
+    bool
+    melts() const
+    {
+      return latent_heat != "0";
+    }
+
+    /// Appends what is wrong with expressions and melting points.
     template <int dim>
     void
     check(std::vector<std::string> &faults) const;
@@ -27,6 +33,9 @@ namespace Thalweg
     std::string               diffusivity = "0";
     std::string               capacity    = "1";
     std::string               source      = "0";
+    std::string               latent_heat = "0";
+    double                    solidus     = 0.;
+    double                    liquidus    = 0.;
     ScalarConditionParameters conditions;
     double                    tolerance = 1e-10;
   };

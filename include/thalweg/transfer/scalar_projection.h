@@ -6,6 +6,7 @@
 #include <thalweg/transfer/node_targets.h>
 #include <thalweg/transfer/quadratic_moments.h>
 
+#include <array>
 #include <vector>
 
 namespace Thalweg
@@ -33,11 +34,13 @@ namespace Thalweg
      * @param property its place in their rows
      * @param scalar in: a guess, ghosted, which stays at nodes that no particle
      *   reaches; out: ghosted and consistent
+     * @param fluids whose particles count
      */
     void
-    project(const Population<dim> &population,
-            const unsigned int     property,
-            Vector                &scalar);
+    project(const Population<dim>     &population,
+            const unsigned int         property,
+            Vector                    &scalar,
+            const std::array<bool, 2> &fluids = {{true, true}});
 
     /// The least and the greatest value around each node in the last
     /// projection, or what was projected where there is none. Ghosted.
@@ -55,10 +58,11 @@ namespace Thalweg
 
   private:
     void
-    add_cell(const Population<dim> &population,
-             const unsigned int     property,
-             const unsigned int     cell,
-             const Vector          &guess);
+    add_cell(const Population<dim>     &population,
+             const unsigned int         property,
+             const unsigned int         cell,
+             const Vector              &guess,
+             const std::array<bool, 2> &fluids);
 
     /// Adds up what the ranks have.
     void

@@ -56,7 +56,9 @@ namespace Thalweg
           << "This page is made by `contrib/update_parameters` out of the "
              "program itself.\nThe headings are the paths of the sections: "
              "`Geometry/box` is the subsection\n`box` in the section "
-             "`Geometry`. Defaults are those of two dimensions.\n";
+             "`Geometry`. Defaults are those of two dimensions.\n"
+             "`Methods/NAME` is the section of a method of that name "
+             "(`Methods/Names`).\n";
       print_section(out, declared, "");
       for (const std::string &section : declared.sections)
         if (std::any_of(declared.parameters.begin(),

@@ -116,7 +116,8 @@ namespace Thalweg
       {
         const double along = (upper[d] - lower[d]) / s;
         AssertThrow(along < 1e6,
-                    dealii::ExcMessage("'Insertion/Spacing' is less than a "
+                    dealii::ExcMessage("\'" + where +
+                                       "/Spacing' is less than a "
                                        "millionth of the domain."));
         n[d] = static_cast<std::size_t>(std::floor(along + 1e-9));
       }
@@ -226,8 +227,7 @@ namespace Thalweg
   unsigned int
   GrainInsertion<dim>::material_number(const GrainMaterials &materials) const
   {
-    return material.empty() ? 0
-                            : materials.find(material, "Insertion/Material");
+    return material.empty() ? 0 : materials.find(material, where + "/Material");
   }
 
 
@@ -241,7 +241,7 @@ namespace Thalweg
     double volume = 0.;
     for (const GrainPlace &place : places)
       volume += volume_of<dim>(place.r);
-    const std::string found = "'Insertion/Region' has room for " +
+    const std::string found = "\'" + where + "/Region' has room for " +
                               std::to_string(places.size()) + " grains of ";
     const std::string too_fast =
       " that are to come in in an interval: the stream is faster than its "
@@ -280,9 +280,9 @@ namespace Thalweg
                             const WallSet                 &walls) const
   {
     const double time = time_of(n);
-    region_function   = parse_expression<dim>(region, 1, "Insertion/Region");
+    region_function   = parse_expression<dim>(region, 1, where + "/Region");
     region_function->set_time(time);
-    RandomNumbers           random(seed * 1000003ull + n);
+    RandomNumbers random(seed * 1000003ull + n + index * 998244353ull);
     std::vector<GrainPlace> places;
     StreamGoal              wanted{number};
     if (mass_rate > 0.)
@@ -304,9 +304,9 @@ namespace Thalweg
             places.push_back(all[i]);
       }
     check_room(places, wanted, mesh.extent());
-    const auto v = parse_expression<dim>(velocity, dim, "Insertion/Velocity");
+    const auto v = parse_expression<dim>(velocity, dim, where + "/Velocity");
     const auto w =
-      parse_expression<dim>(spin, dim == 3 ? 3 : 1, "Insertion/Spin");
+      parse_expression<dim>(spin, dim == 3 ? 3 : 1, where + "/Spin");
     v->set_time(time);
     w->set_time(time);
     std::vector<GrainRecord> grains;

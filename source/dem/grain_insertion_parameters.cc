@@ -9,8 +9,12 @@ namespace Thalweg
 {
   template <int dim>
   void
-  GrainInsertion<dim>::declare_parameters(const Section &section)
+  GrainInsertion<dim>::declare_parameters(const Section     &section,
+                                          const std::string &place,
+                                          const unsigned int order)
   {
+    where = place;
+    index = order;
     using namespace dealii::Patterns;
     section.add("Region",
                 region,
@@ -113,32 +117,38 @@ namespace Thalweg
   {
     if (pattern == "none")
       return;
-    parse_expression<dim>(region, 1, "Insertion/Region");
-    parse_expression<dim>(velocity, dim, "Insertion/Velocity");
-    parse_expression<dim>(spin, dim == 3 ? 3 : 1, "Insertion/Spin");
+    parse_expression<dim>(region, 1, where + "/Region");
+    parse_expression<dim>(velocity, dim, where + "/Velocity");
+    parse_expression<dim>(spin, dim == 3 ? 3 : 1, where + "/Spin");
     if (!material.empty())
-      materials.find(material, "Insertion/Material");
+      materials.find(material, where + "/Material");
     AssertThrow(diameter > 0.,
-                dealii::ExcMessage("'Insertion/Diameter' is missing; grains "
+                dealii::ExcMessage("\'" + where +
+                                   "/Diameter' is missing; grains "
                                    "need one above 0."));
     AssertThrow(sizes == "mono" || spread > 0.,
-                dealii::ExcMessage("'Insertion/Sizes' is '" + sizes +
+                dealii::ExcMessage("\'" + where + "/Sizes' is '" + sizes +
                                    "', which needs a 'Spread' above 0."));
     AssertThrow((sizes != "uniform" || spread < diameter) &&
                   (sizes != "normal" || 3. * spread < diameter),
-                dealii::ExcMessage("'Insertion/Spread' is so large that "
+                dealii::ExcMessage("\'" + where +
+                                   "/Spread' is so large that "
                                    "diameters reach zero."));
     check_stream();
     AssertThrow(pattern != "random" || number > 0 || is_stream(),
-                dealii::ExcMessage("'Insertion/Pattern' is 'random', which "
+                dealii::ExcMessage("\'" + where +
+                                   "/Pattern' is 'random', which "
                                    "needs a 'Number' above 0."));
     AssertThrow(pattern != "lattice" || spacing == 0. ||
                   spacing - 2. * shake >= largest_diameter() * (1. - 1e-9),
                 dealii::ExcMessage("Grains overlap at the start: "
-                                   "'Insertion/Spacing' less twice 'Shake' "
+                                   "\'" +
+                                   where +
+                                   "/Spacing' less twice 'Shake' "
                                    "must be at least the largest diameter."));
     AssertThrow(last == 0. || (interval > 0. && last >= first),
-                dealii::ExcMessage("'Insertion/Last time' is for grains that "
+                dealii::ExcMessage("\'" + where +
+                                   "/Last time' is for grains that "
                                    "come in at intervals, and not before the "
                                    "first ones: give an 'Interval', or leave "
                                    "it out."));
@@ -152,13 +162,16 @@ namespace Thalweg
   {
     AssertThrow(number_rate == 0. || mass_rate == 0.,
                 dealii::ExcMessage(
-                  "'Insertion/Number rate' and 'Mass rate' "
+                  "\'" + where +
+                  "/Number rate' and 'Mass rate' "
                   "are both given: a stream has one of them."));
     AssertThrow(!is_stream() || interval > 0.,
-                dealii::ExcMessage("A stream needs an 'Insertion/Interval' "
+                dealii::ExcMessage("A stream needs an '" + where +
+                                   "/Interval' "
                                    "above 0, at which grains come in."));
     AssertThrow(!is_stream() || (pattern == "random" && number == 0),
-                dealii::ExcMessage("A stream needs 'Insertion/Pattern = "
+                dealii::ExcMessage("A stream needs '" + where +
+                                   "/Pattern = "
                                    "random' and no 'Number', which follows "
                                    "from its rate."));
   }
@@ -202,15 +215,16 @@ namespace Thalweg
                 dealii::ExcMessage("The largest grain, of a diameter of " +
                                    std::to_string(largest_diameter()) +
                                    " m, does not fit into the domain " +
-                                   mesh.extent() +
-                                   ": see 'Insertion/Diameter'."));
+                                   mesh.extent() + ": see '" + where +
+                                   "/Diameter'."));
     for (const PeriodicPair &pair : mesh.periodic_pairs())
       AssertThrow(upper[pair.direction] - lower[pair.direction] >
                     2.5 * largest_diameter(),
                   dealii::ExcMessage(
                     "Periodic boundaries are nearer to each other than two "
                     "diameters and a half of the largest grain, which would "
-                    "touch others twice: see 'Insertion/Diameter'."));
+                    "touch others twice: see '" +
+                    where + "/Diameter'."));
   }
 
 
@@ -230,7 +244,9 @@ namespace Thalweg
 
 
   template void
-  GrainInsertion<2>::declare_parameters(const Section &);
+  GrainInsertion<2>::declare_parameters(const Section &,
+                                        const std::string &,
+                                        const unsigned int);
   template void
   GrainInsertion<2>::check(const GrainMaterials &) const;
   template void
@@ -242,7 +258,9 @@ namespace Thalweg
   template double
   GrainInsertion<2>::largest_diameter() const;
   template void
-  GrainInsertion<3>::declare_parameters(const Section &);
+  GrainInsertion<3>::declare_parameters(const Section &,
+                                        const std::string &,
+                                        const unsigned int);
   template void
   GrainInsertion<3>::check(const GrainMaterials &) const;
   template void

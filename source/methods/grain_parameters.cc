@@ -67,7 +67,7 @@ namespace Thalweg
                 "Whether what contacts do to the energy is summed up; costs a "
                 "twentieth of the time.",
                 Bool());
-    insertion.declare_parameters(sections.enter("Insertion"));
+    insertions.declare_parameters(sections.enter("Insertion"));
     sections.enter("Removal").add(
       "Region",
       removal,
@@ -215,7 +215,7 @@ namespace Thalweg
     collect_fault(faults, [&]() { law->check({}); });
     if (!has_materials)
       return;
-    collect_fault(faults, [&]() { insertion.check(read); });
+    collect_fault(faults, [&]() { insertions.check(read); });
     collect_fault(faults, [&]() {
       if (!wall_material.empty())
         read.find(wall_material, "Walls/Material");
@@ -230,7 +230,7 @@ namespace Thalweg
   GrainParameters<dim>::check_on_mesh(const Mesh<dim>          &mesh,
                                       std::vector<std::string> &faults) const
   {
-    collect_fault(faults, [&]() { insertion.check_on_mesh(mesh); });
+    collect_fault(faults, [&]() { insertions.check_on_mesh(mesh); });
     collect_fault(faults, [&]() {
       for (const unsigned int id : open_boundaries(mesh))
         for (const PeriodicPair &pair : mesh.periodic_pairs())

@@ -53,8 +53,10 @@ namespace Thalweg
     walls = WallSet();
     attach();
     system->clear();
-    system->counts = GrainCounts();
-    n_insertions = n_sub_steps_made = 0;
+    system->counts   = GrainCounts();
+    n_sub_steps_made = 0;
+    n_insertions.assign(parameters.insertions.all().size(), 0);
+    inserted_mass.assign(n_insertions.size(), 0.);
     next_id = n_left = n_lost = n_rebuilds = 0;
     mass_in = mass_left = energy_in = energy_out = 0.;
     contact_work.assign(4, 0.);
@@ -72,40 +74,54 @@ namespace Thalweg
     const double almost  = time + 1e-12 * std::abs(time);
     double       energy  = 0.;
     bool         changes = false;
-    for (; parameters.insertion.time_of(n_insertions) <= almost; ++n_insertions)
-      {
-        std::vector<GrainPlace> present;
-        for (const std::uint32_t i : system->own())
-          present.push_back(system->grains().place[i]);
-        std::vector<GrainRecord> own;
-        const auto               all = parameters.insertion.make(host->mesh,
-                                                   *locator,
-                                                   parameters.materials,
-                                                   n_insertions,
-                                                   mass_in,
-                                                   next_id,
-                                                   present,
-                                                   walls);
-        const unsigned int       n_ranks =
-          dealii::Utilities::MPI::n_mpi_processes(host->context.communicator);
-        const unsigned int rank =
-          dealii::Utilities::MPI::this_mpi_process(host->context.communicator);
-        for (const GrainRecord &grain : all)
-          {
-            energy += energy_of_grain(*system, grain, gravity(), datum());
-            mass_in += system->mass(grain.material, grain.r);
-            if (grain.id % n_ranks == rank)
-              own.push_back(grain);
-            smallest_radius = smallest_radius > 0.
-                                ? std::min(smallest_radius, grain.r)
-                                : grain.r;
-          }
-        next_id += all.size();
-        system->add(own);
-        changes = true;
-      }
+    for (unsigned int i = 0; i < n_insertions.size(); ++i)
+      while (parameters.insertions.all()[i].time_of(n_insertions[i]) <= almost)
+        {
+          energy += insert_by(i);
+          changes = true;
+        }
     if (changes)
       energy_in += energy;
+  }
+
+
+
+  template <int dim>
+  double
+  Grains<dim>::insert_by(const unsigned int i)
+  {
+    std::vector<GrainPlace> present;
+    for (const std::uint32_t k : system->own())
+      present.push_back(system->grains().place[k]);
+    const auto         all = parameters.insertions.all()[i].make(host->mesh,
+                                                         *locator,
+                                                         parameters.materials,
+                                                         n_insertions[i],
+                                                         inserted_mass[i],
+                                                         next_id,
+                                                         present,
+                                                         walls);
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(host->context.communicator);
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(host->context.communicator);
+    std::vector<GrainRecord> own;
+    double                   energy = 0.;
+    for (const GrainRecord &grain : all)
+      {
+        energy += energy_of_grain(*system, grain, gravity(), datum());
+        const double mass = system->mass(grain.material, grain.r);
+        mass_in += mass;
+        inserted_mass[i] += mass;
+        if (grain.id % n_ranks == rank)
+          own.push_back(grain);
+        smallest_radius =
+          smallest_radius > 0. ? std::min(smallest_radius, grain.r) : grain.r;
+      }
+    next_id += all.size();
+    system->add(own);
+    ++n_insertions[i];
+    return energy;
   }
 
 

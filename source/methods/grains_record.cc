@@ -14,6 +14,8 @@ namespace Thalweg
       law += ", " + name;
     if (!parameters.own_walls.list().empty())
       law += "; " + parameters.own_walls.list();
+    if (!parameters.insertions.names().empty())
+      law += "; " + parameters.insertions.names();
     const std::string present = law;
     values.value("law, materials and walls", law);
     AssertThrow(law == present,
@@ -21,6 +23,7 @@ namespace Thalweg
                                    "materials or walls: '" +
                                    law + "' instead of '" + present + "'."));
     values.value("insertions", n_insertions);
+    values.value("inserted mass", inserted_mass);
     values.value("next id", next_id);
     values.value("smallest radius", smallest_radius);
     values.value("travelled", system->travelled);

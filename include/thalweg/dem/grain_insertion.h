@@ -42,7 +42,7 @@ namespace Thalweg
   };
 
   /**
-   * @brief How grains come in: the section "Insertion".
+   * @brief How grains come in: the section "Insertion", or one in it.
    *
    * All ranks find the same grains, in the same order.
    */
@@ -50,8 +50,12 @@ namespace Thalweg
   class GrainInsertion
   {
   public:
+    /// @param place of the section, for messages
+    /// @param order of all such ones, for other random numbers
     void
-    declare_parameters(const Section &section);
+    declare_parameters(const Section     &section,
+                       const std::string &place,
+                       const unsigned int order);
 
     /// @throws dealii::ExcMessage for what cannot be
     void
@@ -144,6 +148,8 @@ namespace Thalweg
                const StreamGoal              &wanted,
                const std::string             &extent) const;
 
+    std::string  where; ///< the section
+    unsigned int index    = 0;
     std::string  region   = "1";
     std::string  pattern  = "lattice";
     std::string  sizes    = "mono";

@@ -4,7 +4,7 @@
 
 #include <thalweg/core/registry.h>
 #include <thalweg/dem/boundary_facets.h>
-#include <thalweg/dem/grain_insertion.h>
+#include <thalweg/dem/grain_insertions.h>
 #include <thalweg/dem/grain_materials.h>
 #include <thalweg/dem/grain_walls.h>
 
@@ -58,7 +58,7 @@ namespace Thalweg
 
     GrainMaterials           materials;
     Choice<ContactLaw>       law;
-    GrainInsertion<dim>      insertion;
+    GrainInsertions<dim>     insertions;
     std::string              rolling         = "none";
     double                   steps_a_contact = 25.;
     double                   sub_step        = 0.; ///< s

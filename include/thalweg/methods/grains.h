@@ -123,6 +123,11 @@ namespace Thalweg
     void
     insert(const double time);
 
+    /// Lets those of the @p i th insertion come in once more. Collective.
+    /// @return their energy, J
+    double
+    insert_by(const unsigned int i);
+
     /// Takes out grains in the region of removal. Collective.
     void
     remove(const double time);
@@ -181,8 +186,11 @@ namespace Thalweg
     std::unique_ptr<CarriedGrains<dim>> carried;
     std::unique_ptr<GrainView>          view;
     GrainSums                           sums;
-    unsigned int                        n_insertions = 0, n_sub_steps_made = 0;
-    double                              smallest_radius = 0.; ///< m
+    unsigned int                        n_sub_steps_made = 0;
+    /// Of each insertion: how often, and how much, kg.
+    std::vector<unsigned int> n_insertions;
+    std::vector<double>       inserted_mass;
+    double                    smallest_radius = 0.; ///< m
     /// Since the start, on all ranks.
     std::uint64_t next_id = 0, n_left = 0, n_lost = 0, n_rebuilds = 0;
     double        mass_in = 0., mass_left = 0.;    ///< kg

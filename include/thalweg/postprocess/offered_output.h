@@ -65,10 +65,15 @@ namespace Thalweg
   class OfferedSeries : public Postprocessor<dim>
   {
   public:
-    /// See check_offered(); the model has the name of the thing.
-    OfferedSeries(const std::string &thing, const std::string &example)
+    /// See check_offered().
+    /// @param model is also the end of the files' names; nothing: that of the
+    ///   thing, and their names are those of the methods
+    OfferedSeries(const std::string &thing,
+                  const std::string &example,
+                  const std::string &model = "")
       : thing(thing)
       , example(example)
+      , model(model)
     {}
 
     void
@@ -80,14 +85,17 @@ namespace Thalweg
     void
     check(const RunOutline<dim> &outline) const override
     {
-      check_offered(outline.offered, thing, thing, example);
+      check_offered(outline.offered,
+                    thing,
+                    model.empty() ? thing : model,
+                    example);
     }
 
     void
     initialize(Context &context, const SolutionView<dim> &solution) override
     {
       for (const auto &[name, offer] : offers(solution))
-        records[name].open(context, file_name_of(name, thing));
+        records[name].open(context, files_of(name));
     }
 
     void
@@ -96,8 +104,7 @@ namespace Thalweg
       const Moment &now = solution.moment;
       if (schedule.is_due(now.time, now.last_step))
         for (const auto &[name, offer] : offers(solution))
-          write(
-            context, file_name_of(name, thing), *offer, now, records.at(name));
+          write(context, files_of(name), *offer, now, records.at(name));
     }
 
     void
@@ -125,7 +132,13 @@ namespace Thalweg
       return solution.ports->template all<Offer>(thing);
     }
 
-    const std::string                thing, example;
+    std::string
+    files_of(const std::string &method) const
+    {
+      return file_name_of(method, thing) + (model.empty() ? "" : "_" + model);
+    }
+
+    const std::string                thing, example, model;
     Schedule                         schedule{.05};
     std::map<std::string, PvdRecord> records;
   };

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <array>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -11,32 +12,38 @@
 
 namespace Thalweg
 {
-  /// Points with numbers as deal.II writes them for ParaView.
-  template <int dim>
-  class PointPatches : public dealii::DataOutInterface<0, dim>
+  /**
+   * @brief Points or lines with numbers as deal.II writes them for ParaView.
+   * @tparam n_corners 1 of a point, 2 of a line
+   */
+  template <int dim, int n_corners>
+  class ShapePatches : public dealii::DataOutInterface<n_corners - 1, dim>
   {
   public:
-    using Patch = dealii::DataOutBase::Patch<0, dim>;
+    using Patch = dealii::DataOutBase::Patch<n_corners - 1, dim>;
 
     /**
      * @param names of the numbers; dim of one name that follow each other are
      *   a vector
-     * @param n points
+     * @param n points or lines
      */
-    PointPatches(const std::vector<std::string> &names, const std::size_t n)
+    ShapePatches(const std::vector<std::string> &names, const std::size_t n)
       : names(names)
       , patches(n)
     {}
 
-    /// Says where the i-th point is.
-    /// @return its numbers, to be filled with `numbers(k, 0) = `
+  protected:
+    /// Says where the i-th of them is.
+    /// @return its numbers, of each corner a column
     dealii::Table<2, float> &
-    set(const std::size_t i, const dealii::Point<dim> &place)
+    set_corners(const std::size_t                                i,
+                const std::array<dealii::Point<dim>, n_corners> &corners)
     {
       Patch &patch      = patches[i];
       patch.patch_index = i;
-      patch.vertices[0] = place;
-      patch.data.reinit(names.size(), 1);
+      for (unsigned int c = 0; c < n_corners; ++c)
+        patch.vertices[c] = corners[c];
+      patch.data.reinit(names.size(), n_corners);
       return patch.data;
     }
 
@@ -80,6 +87,45 @@ namespace Thalweg
 
     const std::vector<std::string> names;
     std::vector<Patch>             patches;
+  };
+
+
+
+  template <int dim>
+  class PointPatches : public ShapePatches<dim, 1>
+  {
+  public:
+    using ShapePatches<dim, 1>::ShapePatches;
+
+    /// Says where the i-th point is.
+    /// @return its numbers, to be filled with `numbers(k, 0) = `
+    dealii::Table<2, float> &
+    set(const std::size_t i, const dealii::Point<dim> &place)
+    {
+      return this->set_corners(i, {{place}});
+    }
+  };
+
+
+
+  /// Straight lines, each with numbers that are the same along it.
+  template <int dim>
+  class LinePatches : public ShapePatches<dim, 2>
+  {
+  public:
+    using ShapePatches<dim, 2>::ShapePatches;
+
+    /// Says where the i-th line is, and its numbers.
+    void
+    set(const std::size_t          i,
+        const dealii::Point<dim>  &begin,
+        const dealii::Point<dim>  &end,
+        const std::vector<double> &numbers)
+    {
+      auto &table = this->set_corners(i, {{begin, end}});
+      for (unsigned int k = 0; k < numbers.size(); ++k)
+        table(k, 0) = table(k, 1) = numbers[k];
+    }
   };
 } // namespace Thalweg
 

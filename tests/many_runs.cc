@@ -40,6 +40,7 @@ namespace
         chdir(folder.c_str()) != 0)
       return not_started;
     std::vector<char *> words;
+    words.reserve(arguments.size());
     for (std::string &argument : arguments)
       words.push_back(argument.data());
     const Thalweg::MpiSession mpi;

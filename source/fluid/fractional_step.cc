@@ -50,19 +50,14 @@ namespace Thalweg
 
   template <int dim>
   void
-  FractionalStep<dim>::initialize(Context                  &context_,
-                                  const NodeSpace<dim>     &space_,
-                                  const BoundaryNodes<dim> &boundary_,
-                                  const PhaseField<dim>    &phase_,
-                                  const BodyForces<dim>    &forces_,
-                                  const FlowTerms<dim>     &terms_)
+  FractionalStep<dim>::initialize(const FlowSetup<dim> &setup)
   {
-    context  = &context_;
-    space    = &space_;
-    boundary = &boundary_;
-    phase    = &phase_;
-    forces   = &forces_;
-    terms    = &terms_;
+    context  = &setup.context;
+    space    = &setup.space;
+    boundary = &setup.boundary;
+    phase    = &setup.phase;
+    forces   = &setup.forces;
+    terms    = &setup.terms;
     mass     = std::make_unique<NodalMass<dim>>(*space, *boundary, *phase);
     budget   = std::make_unique<KineticBudget<dim>>(*context, *mass);
     pressure_system =
@@ -71,7 +66,10 @@ namespace Thalweg
                                                             *boundary,
                                                             *mass,
                                                             *pressure_system);
-    viscous = std::make_unique<ViscousOperator<dim>>(*space, *boundary, *phase);
+    viscous         = std::make_unique<ViscousOperator<dim>>(*space,
+                                                     *boundary,
+                                                     *phase,
+                                                     &setup.viscosities);
     Thalweg::initialize(*space, p);
     Thalweg::initialize(*space, dp);
     space->initialize_velocity(force);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
 #include <thalweg/fluid/scalar_operator.h>
+#include <thalweg/materials/laminate.h>
 
 #include <cmath>
 
@@ -8,25 +9,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// Where @p part of a volume is of the first fluid.
-    double
-    arithmetic_mean(const double part, const std::array<double, 2> &material)
-    {
-      return part * material[0] + (1. - part) * material[1];
-    }
-
-
-
-    double
-    harmonic_mean(const double part, const std::array<double, 2> &material)
-    {
-      if (material[0] == 0. || material[1] == 0.)
-        return 0.;
-      return 1. / (part / material[0] + (1. - part) / material[1]);
-    }
-
-
-
     /// Which part of a cell is of the first fluid.
     template <int dim>
     double

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
 #include <thalweg/fluid/viscous_operator.h>
+#include <thalweg/materials/laminate.h>
 
 namespace Thalweg
 {
   template <int dim>
-  ViscousOperator<dim>::ViscousOperator(const NodeSpace<dim>     &space,
-                                        const BoundaryNodes<dim> &boundary,
-                                        const PhaseField<dim>    &phase)
+  ViscousOperator<dim>::ViscousOperator(
+    const NodeSpace<dim>        &space,
+    const BoundaryNodes<dim>    &boundary,
+    const PhaseField<dim>       &phase,
+    const FluidViscosities<dim> *viscosities)
     : space(space)
     , boundary(boundary)
     , phase(phase)
+    , viscosities(viscosities)
   {
     space.initialize_velocity(work);
     space.initialize_velocity(diagonal.inverse_diagonal);
@@ -26,10 +30,9 @@ namespace Thalweg
     const dealii::Tensor<1, dim> traction = twice_rate * cut->normal;
     const dealii::Tensor<1, dim> shear =
       traction - (traction * cut->normal) * cut->normal;
-    return cut->arithmetic_viscosity * twice_rate +
-           (cut->harmonic_viscosity - cut->arithmetic_viscosity) *
-             (outer_product(shear, cut->normal) +
-              outer_product(cut->normal, shear));
+    return viscosity * twice_rate +
+           (harmonic - viscosity) * (outer_product(shear, cut->normal) +
+                                     outer_product(cut->normal, shear));
   }
 
 
@@ -54,10 +57,21 @@ namespace Thalweg
   typename ViscousOperator<dim>::CellViscosity
   ViscousOperator<dim>::cell_viscosity(const unsigned int cell) const
   {
-    const int cut_index = phase.cut_index(cell);
+    const int  cut_index = phase.cut_index(cell);
+    const bool are_set   = viscosities != nullptr && viscosities->are_set();
     if (cut_index < 0)
-      return {phase.fluid(cell).viscosity, nullptr};
-    return {0., &phase.cut_cells()[cut_index]};
+      return {are_set ? (*viscosities)(phase.fluid_number(cell), cell)
+                      : phase.fluid(cell).viscosity,
+              0.,
+              nullptr};
+    const CutCell<dim> &cut = phase.cut_cells()[cut_index];
+    if (!are_set)
+      return {cut.arithmetic_viscosity, cut.harmonic_viscosity, &cut};
+    const std::array<double, 2> both{
+      {(*viscosities)(0, cell), (*viscosities)(1, cell)}};
+    return {arithmetic_mean(cut.negative_fraction, both),
+            harmonic_mean(cut.negative_fraction, both),
+            &cut};
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/interface/cut_cell.h>
 #include <thalweg/interface/cut_in_space.h>
+#include <thalweg/materials/laminate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,12 +251,13 @@ namespace Thalweg
       if (cut.normal.norm() > 0)
         cut.normal /= cut.normal.norm();
 
-      cut.negative_fraction    = negative_volume<dim>(cell, phi) / cell.measure;
-      const double f           = cut.negative_fraction;
-      const double mu[2]       = {fluids[0].viscosity, fluids[1].viscosity};
-      cut.arithmetic_viscosity = f * mu[0] + (1 - f) * mu[1];
+      cut.negative_fraction = negative_volume<dim>(cell, phi) / cell.measure;
+      cut.arithmetic_viscosity =
+        arithmetic_mean(cut.negative_fraction,
+                        {{fluids[0].viscosity, fluids[1].viscosity}});
       cut.harmonic_viscosity =
-        mu[0] * mu[1] > 0 ? mu[0] * mu[1] / (f * mu[1] + (1 - f) * mu[0]) : 0.;
+        harmonic_mean(cut.negative_fraction,
+                      {{fluids[0].viscosity, fluids[1].viscosity}});
     }
   } // namespace
 

@@ -8,9 +8,12 @@
 namespace Thalweg
 {
   template <int dim>
-  FlowMethod<dim>::FlowMethod(const bool computes_flow)
+  FlowMethod<dim>::FlowMethod(const bool computes_flow,
+                              const bool heeds_viscosities)
     : parameters(computes_flow)
-  {}
+  {
+    parameters.heeds_viscosities = heeds_viscosities;
+  }
 
 
 
@@ -82,6 +85,8 @@ namespace Thalweg
       outline.offered.add(name, thing);
     if (parameters.computes_flow)
       outline.offered.add(name, FlowTerms<dim>::port);
+    if (parameters.heeds_viscosities)
+      outline.offered.add(name, FluidViscosities<dim>::port);
   }
 
 
@@ -141,6 +146,10 @@ namespace Thalweg
     ports.offer<const Medium<dim>>(name, "medium", *medium);
     if (parameters.computes_flow)
       ports.offer<FlowTerms<dim>>(name, FlowTerms<dim>::port, parts->terms);
+    if (parameters.heeds_viscosities)
+      ports.offer<FluidViscosities<dim>>(name,
+                                         FluidViscosities<dim>::port,
+                                         parts->viscosities);
   }
 
 

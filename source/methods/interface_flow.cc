@@ -214,8 +214,9 @@ namespace Thalweg
     if (parameters.fluids.size() == 2)
       phase->carry([this]() { return volumes_to_show(); }, *boundary);
     terms.attach(*space);
+    viscosities.attach(*space, parameters.fluids);
     parameters.fluid_solver->initialize(
-      context, *space, *boundary, *phase, forces, terms);
+      {context, *space, *boundary, *phase, forces, terms, viscosities});
   }
 
 
@@ -241,6 +242,7 @@ namespace Thalweg
             parameters.fluids,
             forces,
             terms,
+            viscosities,
             conditions,
             *boundary,
             population,

@@ -8,7 +8,7 @@ namespace Thalweg
 {
   template <int dim>
   Pfem2<dim>::Pfem2()
-    : FlowMethod<dim>(/*computes_flow=*/true)
+    : FlowMethod<dim>(/*computes_flow=*/true, /*heeds_viscosities=*/true)
   {}
 
 
@@ -304,6 +304,7 @@ namespace Thalweg
            fluids,
            forces,
            terms,
+           viscosities,
            conditions,
            boundary,
            population,

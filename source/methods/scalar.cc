@@ -228,7 +228,7 @@ namespace Thalweg
                                    with_unit("greatest on the mesh"),
                                    "diffusion iterations"};
     if (parameters.melts())
-      names.push_back("molten part");
+      names.emplace_back("molten part");
     return names;
   }
 

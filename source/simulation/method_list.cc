@@ -99,8 +99,9 @@ namespace Thalweg
   MethodList<dim>::check(std::vector<std::string> &faults) const
   {
     if (!named.empty() && !single_name.empty())
-      faults.push_back("'Method/Model' is for a run of one method, but "
-                       "'Methods/Names' is given, too. Leave one of them out.");
+      faults.emplace_back(
+        "'Method/Model' is for a run of one method, but "
+        "'Methods/Names' is given, too. Leave one of them out.");
     for (const Entry &entry : used())
       {
         std::vector<std::string> own;

@@ -43,6 +43,7 @@ namespace Thalweg
     names_of(const List &list)
     {
       std::vector<std::string> names;
+      names.reserve(list.size());
       for (const auto &item : list)
         names.push_back(item.name);
       return names;

@@ -205,9 +205,9 @@ TEST(FarAway, SkewCellsOfAnyDigitsAreAsAtTheOrigin)
 // not decide on which side of it.
 TEST(FarAway, InterfacesAlongCellsAreAsAtTheOrigin)
 {
-  const auto run = [](const double      offset,
-                      const bool        along_edges,
-                      const std::string levels = "0") {
+  const auto run = [](const double       offset,
+                      const bool         along_edges,
+                      const std::string &levels = "0") {
     return RunCase<2>(dam_break(offset,
                                 {"Local levels = " + levels},
                                 "20, 10",

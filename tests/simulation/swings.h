@@ -180,7 +180,7 @@ namespace Swings
     check(std::vector<std::string> &faults) const override
     {
       if (strength < 0.)
-        faults.push_back("ropes pull");
+        faults.emplace_back("ropes pull");
     }
 
     void

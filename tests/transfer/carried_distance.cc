@@ -89,7 +89,7 @@ TYPED_TEST(CarriedDistanceMpi, ARigidMotionChangesNothing)
     carry(
       *scene,
       plane,
-      [](const dealii::Point<dim> &x) {
+      [&](const dealii::Point<dim> &x) {
         dealii::Tensor<1, dim> u;
         u[0]       = 2. - 3. * x[dim - 1];
         u[dim - 1] = 1. + 3. * x[0];
@@ -132,7 +132,7 @@ TYPED_TEST(CarriedDistanceMpi, ItFollowsAVelocityWithAKinkOnBothSides)
   carry(
     scene,
     [](const dealii::Point<dim> &x) { return x[dim - 1] - .5 - .5 * h; },
-    [](const dealii::Point<dim> &x) {
+    [&](const dealii::Point<dim> &x) {
       dealii::Tensor<1, dim> u;
       u[dim - 1] = -s * std::abs(x[dim - 1] - .5 - .5 * h);
       return u;
@@ -155,7 +155,7 @@ TYPED_TEST(CarriedDistanceMpi, TheSideNeverChanges)
   carry(
     scene,
     plane,
-    [](const dealii::Point<dim> &x) {
+    [&](const dealii::Point<dim> &x) {
       dealii::Tensor<1, dim> u;
       for (unsigned int d = 0; d < dim; ++d)
         u[d] = 10. * std::sin(40. * x[d] + d);

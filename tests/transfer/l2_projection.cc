@@ -25,7 +25,7 @@ TYPED_TEST(L2ProjectionMpi, FieldsOfTheSpaceAreReproduced)
       for (const unsigned int degree : {1u, 2u})
         {
           set_particles(*scene,
-                        [](const auto &) { return dealii::Tensor<1, dim>(); });
+                        [&](const auto &) { return dealii::Tensor<1, dim>(); });
           const LagrangeSpace<dim> space(scene->mesh, degree, mapping);
           const Vector wanted = nodal_velocity<dim>(space, wild<dim>);
           add_field(*scene->population, space, wanted, 1.);
@@ -54,7 +54,7 @@ TYPED_TEST(L2ProjectionMpi, TheEnergyIsSplitIntoThatOfTheFieldAndTheRest)
           add_field(*scene->population, space, u, -1.);
           const double rest = energy(*scene);
           set_particles(*scene,
-                        [](const auto &) { return dealii::Tensor<1, dim>(); });
+                        [&](const auto &) { return dealii::Tensor<1, dim>(); });
           add_field(*scene->population, space, u, 1.);
           const double after = energy(*scene);
           EXPECT_LT(after, before);
@@ -120,7 +120,7 @@ TYPED_TEST(L2ProjectionMpi, TheGuessHoldsWhereNoParticleSpeaks)
       const LagrangeSpace<dim> space(scene->mesh, degree, mapping);
       const Vector             wanted = nodal_velocity<dim>(space, smooth<dim>);
       set_particles(*scene,
-                    [](const auto &) { return dealii::Tensor<1, dim>(); });
+                    [&](const auto &) { return dealii::Tensor<1, dim>(); });
       add_field(*scene->population, space, wanted, 1.);
       Vector u = wanted;
       u.update_ghost_values();

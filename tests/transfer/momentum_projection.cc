@@ -59,7 +59,7 @@ TYPED_TEST(MomentumProjectionMpi, AtWallsItHasAThirdOfTheErrorOfAMean)
   constexpr int dim = TypeParam::value;
   Scene<dim>    scene(unit_box<dim>(4));
   fill(scene, 0., 8);
-  set_particles(scene, [](const auto &x) {
+  set_particles(scene, [&](const auto &x) {
     dealii::Tensor<1, dim> u;
     u[1] = x[0];
     return u;

@@ -145,8 +145,8 @@ TYPED_TEST(ProjectionMpi, KeepsConstantsWhateverTheDensities)
           Thalweg::Population<dim>::set_level_set(
             properties, sign * (sign < 0 ? .3 : x[0] + .1));
         });
-        Vector velocity =
-          scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
+        Vector velocity = scene.velocity(
+          [&](const auto &) { return dealii::Tensor<1, dim>(); });
         Vector level_set = scene.scalar([](const auto &) { return 0.; });
         make_projection<dim>(name)->project(
           *scene.population, *scene.space, scene.fluids, velocity, level_set);
@@ -170,7 +170,7 @@ TYPED_TEST(ProjectionMpi, KeepsTheTotalMomentum)
   fill(scene);
   set_wild(scene);
   Vector velocity =
-    scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
+    scene.velocity([&](const auto &) { return dealii::Tensor<1, dim>(); });
   Vector level_set = scene.scalar([](const auto &) { return 0.; });
   make_projection<dim>("weighted average")
     ->project(
@@ -203,7 +203,7 @@ TYPED_TEST(ProjectionMpi, HeavyParticlesCountByTheirMass)
     Thalweg::Population<dim>::set_level_set(properties, heavy ? -1. : 1.);
   });
   Vector velocity =
-    scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
+    scene.velocity([&](const auto &) { return dealii::Tensor<1, dim>(); });
   Vector level_set = scene.scalar([](const auto &) { return 0.; });
   make_projection<dim>("weighted average")
     ->project(
@@ -225,8 +225,8 @@ TYPED_TEST(ProjectionMpi, NodesWithoutParticlesKeepTheirValues)
   for (const std::string name : {"weighted average", "least squares"})
     {
       Scene<dim> scene(hanging_box<dim>(4));
-      Vector     velocity =
-        scene.velocity([](const auto &p) { return dealii::Tensor<1, dim>(p); });
+      Vector     velocity = scene.velocity(
+        [&](const auto &p) { return dealii::Tensor<1, dim>(p); });
       Vector level_set = scene.scalar([](const auto &p) { return 2. * p[1]; });
       make_projection<dim>(name)->project(
         *scene.population, *scene.space, scene.fluids, velocity, level_set);
@@ -255,7 +255,7 @@ TYPED_TEST(LeastSquaresMpi, AreExactForPlanes)
         Thalweg::Population<dim>::set_level_set(properties, plane(x));
       });
       Vector velocity =
-        scene->velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
+        scene->velocity([&](const auto &) { return dealii::Tensor<1, dim>(); });
       Vector level_set = scene->scalar([](const auto &) { return 0.; });
       make_projection<dim>("least squares")
         ->project(*scene->population,
@@ -281,8 +281,8 @@ TYPED_TEST(IncrementMpi, ParticlesGetTheInterpolatedDifference)
     Thalweg::Population<dim>::set_level_set(properties, x[0]);
   });
   const auto old_velocity = scene.velocity(
-    [](const auto &p) { return 3. * dealii::Tensor<1, dim>(p); });
-  const auto new_velocity = scene.velocity([](const auto &p) {
+    [&](const auto &p) { return 3. * dealii::Tensor<1, dim>(p); });
+  const auto new_velocity = scene.velocity([&](const auto &p) {
     dealii::Tensor<1, dim> u = 3. * dealii::Tensor<1, dim>(p);
     u[0] += 1. + p[0] - 2. * p[dim - 1];
     u[1] -= p[1];
@@ -310,8 +310,8 @@ TYPED_TEST(IncrementMpi, AddsTheNodesMomentumToTheParticles)
   set_wild(scene);
   const auto before = momentum(scene);
   const auto zero =
-    scene.velocity([](const auto &) { return dealii::Tensor<1, dim>(); });
-  const auto change = scene.velocity([](const auto &p) {
+    scene.velocity([&](const auto &) { return dealii::Tensor<1, dim>(); });
+  const auto change = scene.velocity([&](const auto &p) {
     dealii::Tensor<1, dim> u;
     u[0] = std::sin(7. * p[1]);
     u[1] = std::cos(9. * p[dim - 1]) + std::sin(2. * M_PI * p[0]);

@@ -121,7 +121,7 @@ TYPED_TEST(VelocityProjectionMpi, ConstantsAreReproduced)
   for (const auto &scene : {bent<dim>(), periodic<dim>()})
     {
       fill(*scene, .8, 3);
-      const auto constant = [](const auto &) {
+      const auto constant = [&](const auto &) {
         dealii::Tensor<1, dim> u;
         for (unsigned int d = 0; d < dim; ++d)
           u[d] = 1. + d;
@@ -222,7 +222,7 @@ TYPED_TEST(VelocityIncrementMpi, ParticlesTakeFieldsOfTheSpaceWhereTheyAre)
           u[d] = std::pow((1. + p[0]) * p[1] + d, degree);
         return u;
       };
-      const auto linear = [](const auto &p) {
+      const auto linear = [&](const auto &p) {
         return dealii::Tensor<1, dim>(p);
       };
       const Vector end   = nodal_velocity<dim>(space, product);

@@ -2,12 +2,9 @@
 #ifndef thalweg_fluid_fluid_solver_h
 #define thalweg_fluid_fluid_solver_h
 
-#include <thalweg/core/context.h>
 #include <thalweg/core/registry.h>
 #include <thalweg/fields/state.h>
-#include <thalweg/fluid/body_forces.h>
-#include <thalweg/fluid/flow_terms.h>
-#include <thalweg/interface/phase_field.h>
+#include <thalweg/fluid/flow_setup.h>
 
 namespace Thalweg
 {
@@ -24,15 +21,10 @@ namespace Thalweg
     virtual void
     declare_parameters(const Section &section) = 0;
 
-    /// Sets up for the present mesh, with zero fields; once for each mesh. All
-    /// references must outlive the solver, or its next initialize().
+    /// Sets up for the present mesh, with zero fields; once for each mesh. What
+    /// it refers to must outlive the solver, or its next initialize().
     virtual void
-    initialize(Context                  &context,
-               const NodeSpace<dim>     &space,
-               const BoundaryNodes<dim> &boundary,
-               const PhaseField<dim>    &phase,
-               const BodyForces<dim>    &forces,
-               const FlowTerms<dim>     &terms) = 0;
+    initialize(const FlowSetup<dim> &setup) = 0;
 
     /**
      * @brief From the convected velocity to that at the end of the step.

@@ -29,12 +29,7 @@ namespace Thalweg
     declare_parameters(const Section &section) override;
 
     void
-    initialize(Context                  &context,
-               const NodeSpace<dim>     &space,
-               const BoundaryNodes<dim> &boundary,
-               const PhaseField<dim>    &phase,
-               const BodyForces<dim>    &forces,
-               const FlowTerms<dim>     &terms) override;
+    initialize(const FlowSetup<dim> &setup) override;
 
     void
     solve(const Vector &velocity_star,

@@ -4,6 +4,7 @@
 
 #include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/q1_integrals.h>
+#include <thalweg/fluid/fluid_viscosities.h>
 #include <thalweg/interface/phase_field.h>
 #include <thalweg/linear_algebra/jacobi.h>
 
@@ -23,9 +24,11 @@ namespace Thalweg
   class ViscousOperator
   {
   public:
-    ViscousOperator(const NodeSpace<dim>     &space,
-                    const BoundaryNodes<dim> &boundary,
-                    const PhaseField<dim>    &phase);
+    /// @param viscosities nullptr: those of the phase's fluids
+    ViscousOperator(const NodeSpace<dim>        &space,
+                    const BoundaryNodes<dim>    &boundary,
+                    const PhaseField<dim>       &phase,
+                    const FluidViscosities<dim> *viscosities = nullptr);
 
     /// @param mass_ lumped masses, kg, a value a node
     /// @param dt s
@@ -50,7 +53,8 @@ namespace Thalweg
     /// The viscosity in a cell: one number, or that of a laminate.
     struct CellViscosity
     {
-      double              viscosity; ///< Pa s, of an uncut cell
+      double              viscosity; ///< Pa s; in a cut cell the mean
+      double              harmonic;  ///< the harmonic mean in a cut cell
       const CutCell<dim> *cut;       ///< nullptr in an uncut cell
 
       /// The stress for a velocity gradient.
@@ -76,14 +80,15 @@ namespace Thalweg
     CellViscosity
     cell_viscosity(const unsigned int cell) const;
 
-    const NodeSpace<dim>     &space;
-    const BoundaryNodes<dim> &boundary;
-    const PhaseField<dim>    &phase;
-    Q1::Gauss<dim>            gauss;
-    const Vector             *mass = nullptr;
-    double                    dt   = 1.;
-    Jacobi<Vector>            diagonal;
-    mutable Vector            work;
+    const NodeSpace<dim>        &space;
+    const BoundaryNodes<dim>    &boundary;
+    const PhaseField<dim>       &phase;
+    const FluidViscosities<dim> *viscosities;
+    Q1::Gauss<dim>               gauss;
+    const Vector                *mass = nullptr;
+    double                       dt   = 1.;
+    Jacobi<Vector>               diagonal;
+    mutable Vector               work;
   };
 } // namespace Thalweg
 

@@ -23,7 +23,9 @@ namespace Thalweg
   public:
     /// @param computes_flow whether the method does, so that given velocities
     ///   must suit an incompressible fluid
-    explicit FlowMethod(const bool computes_flow);
+    /// @param heeds_viscosities whether it does what FluidViscosities say
+    explicit FlowMethod(const bool computes_flow,
+                        const bool heeds_viscosities = false);
 
     /// The flow in spaces of the method's own, nullptr if it has none.
     virtual const FlowFields<dim> *

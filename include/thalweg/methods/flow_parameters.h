@@ -51,7 +51,9 @@ namespace Thalweg
     bool
     has_spray() const;
 
-    const bool                  computes_flow;
+    const bool computes_flow;
+    /// Whether the method does what FluidViscosities say.
+    bool                        heeds_viscosities = false;
     Fluids                      fluids;
     BoundaryConditionParameters boundary_conditions;
     std::string initial_velocity  = dim == 2 ? "0; 0" : "0; 0; 0";

@@ -143,6 +143,7 @@ namespace Thalweg
     Mesh<dim>                                 &mesh;
     BodyForces<dim>                           &forces;
     FlowTerms<dim>                             terms;
+    FluidViscosities<dim>                      viscosities;
     BoundaryConditions<dim>                    conditions;
     Population<dim>                            population;
     Population<dim>                            dispersed_;

@@ -27,6 +27,7 @@ namespace Thalweg
     const Fluids                    &fluids;
     BodyForces<dim>                 &forces;
     FlowTerms<dim>                  &terms;
+    FluidViscosities<dim>           &viscosities;
     BoundaryConditions<dim>         &conditions;
     const BoundaryNodes<dim>        &boundary;
     Population<dim>                 &population;

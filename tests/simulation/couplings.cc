@@ -226,7 +226,7 @@ TEST_F(WithSwings, WhatCannotBeIsRefused)
   expect(
     base + couplings("r: rope", between("r", "x, w")),
     "'Couplings/r' needs 'value' of 'w', but 'w' offers 'flow terms', "
-    "'medium', 'particles', 'streamlines'; 'x' offers 'push', 'value'; 'y' "
+    "'medium', 'particles', 'streamlines', 'viscosities'; 'x' offers 'push', 'value'; 'y' "
     "offers");
   expect(base + couplings("r: rope",
                           section("r", {"Between = x, y", "Strength = -1"})),

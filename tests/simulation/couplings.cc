@@ -223,11 +223,11 @@ TEST_F(WithSwings, WhatCannotBeIsRefused)
          "which a method in 'Methods/Names' has, too");
   expect(base + couplings("r: robe", ""), "did you mean 'rope'");
   expect(base + couplings("r: rope, r: rope", ""), "'r' twice");
-  expect(
-    base + couplings("r: rope", between("r", "x, w")),
-    "'Couplings/r' needs 'value' of 'w', but 'w' offers 'flow terms', "
-    "'medium', 'particles', 'streamlines', 'viscosities'; 'x' offers 'push', 'value'; 'y' "
-    "offers");
+  expect(base + couplings("r: rope", between("r", "x, w")),
+         "'Couplings/r' needs 'value' of 'w', but 'w' offers 'flow terms', "
+         "'medium', 'particles', 'streamlines', 'viscosities'; 'x' offers "
+         "'push', 'value'; 'y' "
+         "offers");
   expect(base + couplings("r: rope",
                           section("r", {"Between = x, y", "Strength = -1"})),
          "r: ropes pull");

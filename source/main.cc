@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/core/errors.h>
 #include <thalweg/core/ignored_signals.h>
-#include <thalweg/core/mpi_session.h>
 #include <thalweg/simulation/program.h>
 
 // Runs before the constructors of all libraries.
@@ -11,9 +9,5 @@
 int
 main(int argc, char **argv)
 {
-  const Thalweg::MpiSession mpi;
-  return Thalweg::run_guarded(MPI_COMM_WORLD, [argc, argv]() {
-    return Thalweg::run_program(MPI_COMM_WORLD,
-                                Thalweg::read_options(argc, argv));
-  });
+  return Thalweg::run_program(argc, argv);
 }

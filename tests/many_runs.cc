@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <thalweg/core/errors.h>
-#include <thalweg/core/mpi_session.h>
 #include <thalweg/simulation/program.h>
 
 #include <fcntl.h>
@@ -43,12 +41,7 @@ namespace
     words.reserve(arguments.size());
     for (std::string &argument : arguments)
       words.push_back(argument.data());
-    const Thalweg::MpiSession mpi;
-    return Thalweg::run_guarded(MPI_COMM_WORLD, [&words]() {
-      return Thalweg::run_program(MPI_COMM_WORLD,
-                                  Thalweg::read_options(words.size(),
-                                                        words.data()));
-    });
+    return Thalweg::run_program(words.size(), words.data());
   }
 } // namespace
 

@@ -136,16 +136,14 @@ namespace Thalweg
         update();
       }
 
+      /// In all cells, from the scalar in their middles. @throws StepFailure
       void
-      update() override
-      {
-        find();
-      }
+      update() override;
 
       void
       transfer(const double, const double) override
       {
-        find();
+        update();
       }
 
       std::vector<std::string>
@@ -205,47 +203,6 @@ namespace Thalweg
         };
       }
 
-      /// In all cells, from the scalar in their middles. Collective.
-      /// @throws StepFailure
-      void
-      find()
-      {
-        const auto &scalar =
-          host->ports.template get<const ScalarView<dim>>(methods[1],
-                                                          "scalars",
-                                                          who());
-        const NodeSpace<dim> &space = viscosities().space();
-        constexpr double      part  = 1. / NodeSpace<dim>::n_vertices;
-        const bool            melts = scalar.molten.size() > 0;
-        std::vector<double>   of_cells(space.mesh().graph().n_owned_cells());
-        least         = std::numeric_limits<double>::max();
-        greatest      = 0.;
-        bool is_right = true;
-        for (unsigned int c = 0; c < of_cells.size(); ++c)
-          {
-            double s = 0., f = 0.;
-            for (const unsigned int node : space.nodes(c))
-              {
-                s += part * scalar.field.local_element(node);
-                if (melts)
-                  f += part * scalar.molten.local_element(node);
-              }
-            of_cells[c] = law(s, f);
-            is_right =
-              is_right && of_cells[c] >= 0. && std::isfinite(of_cells[c]);
-            least    = std::min(least, of_cells[c]);
-            greatest = std::max(greatest, of_cells[c]);
-          }
-        const MPI_Comm communicator = host->context.communicator;
-        if (dealii::Utilities::MPI::min(static_cast<int>(is_right),
-                                        communicator) == 0)
-          throw StepFailure(who() + " says of some cells a viscosity that is "
-                                    "negative or no finite number.");
-        least    = dealii::Utilities::MPI::min(least, communicator);
-        greatest = dealii::Utilities::MPI::max(greatest, communicator);
-        viscosities().set(number, std::move(of_cells));
-      }
-
       std::string                fluid, expression, table_text;
       Law                        law;
       unsigned int               number = 0;
@@ -253,6 +210,48 @@ namespace Thalweg
       std::unique_ptr<Host<dim>> host;
       std::vector<std::string>   methods;
     };
+
+
+
+    template <int dim>
+    void
+    ViscosityLaw<dim>::update()
+    {
+      const auto &scalar =
+        host->ports.template get<const ScalarView<dim>>(methods[1],
+                                                        "scalars",
+                                                        who());
+      const NodeSpace<dim> &space = viscosities().space();
+      constexpr double      part  = 1. / NodeSpace<dim>::n_vertices;
+      const bool            melts = scalar.molten.size() > 0;
+      std::vector<double>   of_cells(space.mesh().graph().n_owned_cells());
+      least         = std::numeric_limits<double>::max();
+      greatest      = 0.;
+      bool is_right = true;
+      for (unsigned int c = 0; c < of_cells.size(); ++c)
+        {
+          double s = 0., f = 0.;
+          for (const unsigned int node : space.nodes(c))
+            {
+              s += part * scalar.field.local_element(node);
+              if (melts)
+                f += part * scalar.molten.local_element(node);
+            }
+          of_cells[c] = law(s, f);
+          is_right =
+            is_right && of_cells[c] >= 0. && std::isfinite(of_cells[c]);
+          least    = std::min(least, of_cells[c]);
+          greatest = std::max(greatest, of_cells[c]);
+        }
+      const MPI_Comm communicator = host->context.communicator;
+      if (dealii::Utilities::MPI::min(static_cast<int>(is_right),
+                                      communicator) == 0)
+        throw StepFailure(who() + " says of some cells a viscosity that is "
+                                  "negative or no finite number.");
+      least    = dealii::Utilities::MPI::min(least, communicator);
+      greatest = dealii::Utilities::MPI::max(greatest, communicator);
+      viscosities().set(number, std::move(of_cells));
+    }
   } // namespace
 
   THALWEG_REGISTER(Coupling,

@@ -55,7 +55,8 @@ namespace Thalweg
     , states(space.n_owned_nodes(), Melting::State::solid)
     , slopes(space.n_owned_nodes(), 1.)
   {
-    for (Vector *vector : {&value, &gain, &residual, &increment, &change})
+    for (Vector *vector :
+         {&majorant, &value, &gain, &residual, &increment, &change})
       space.initialize_scalar(*vector);
   }
 
@@ -105,13 +106,13 @@ namespace Thalweg
       {
         if (!is_free(n, step))
           continue;
-        const double majorant =
-          matrix.majorant().local_element(n) + step.exchange.local_element(n);
+        const double bound =
+          majorant.local_element(n) + step.exchange.local_element(n);
         heat.local_element(n) =
           heat_alone(melting.at(n),
                      matrix.capacity().local_element(n) / step.tau,
-                     majorant,
-                     gain.local_element(n) + majorant * value.local_element(n));
+                     bound,
+                     gain.local_element(n) + bound * value.local_element(n));
       }
     space.interpolate(heat, 1);
     melting.find_value(heat, value);

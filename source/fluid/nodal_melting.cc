@@ -50,24 +50,17 @@ namespace Thalweg
 
   template <int dim>
   void
-  NodalMelting<dim>::find_value(const Vector &heat, Vector &value) const
+  NodalMelting<dim>::find(const Vector &heat,
+                          double (Melting::*part)(const double) const,
+                          Vector &result) const
   {
-    value.zero_out_ghost_values();
+    result.zero_out_ghost_values();
     for (unsigned int n = 0; n < space.n_owned_nodes(); ++n)
-      value.local_element(n) = at(n).value(heat.local_element(n));
-    space.interpolate(value, 1);
-  }
-
-
-
-  template <int dim>
-  void
-  NodalMelting<dim>::find_molten(const Vector &heat, Vector &molten) const
-  {
-    molten.zero_out_ghost_values();
-    for (unsigned int n = 0; n < space.n_owned_nodes(); ++n)
-      molten.local_element(n) = at(n).molten(heat.local_element(n));
-    space.interpolate(molten, 1);
+      {
+        const Melting here      = at(n);
+        result.local_element(n) = (here.*part)(heat.local_element(n));
+      }
+    space.interpolate(result, 1);
   }
 
 

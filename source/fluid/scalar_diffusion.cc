@@ -67,6 +67,7 @@ namespace Thalweg
       return;
     matrix.lump(phase, latent_heat, melting_.latent_heat());
     melting_.update(matrix.capacity());
+    melting_solver->update();
   }
 
 

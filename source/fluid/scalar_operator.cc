@@ -30,11 +30,19 @@ namespace Thalweg
     for (Vector *vector : {&mass,
                            &volume,
                            &diagonal,
-                           &row_sums,
                            &shift,
                            &preconditioner.inverse_diagonal,
                            &work})
       space.initialize_scalar(*vector);
+    const auto &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto measures = integrals.node_measures(graph.cell(c));
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          volume.local_element(space.nodes(c)[i]) += measures[i];
+      }
+    space.fold(volume, 1);
+    volume.zero_out_ghost_values();
   }
 
 
@@ -77,9 +85,7 @@ namespace Thalweg
                               const Material        &conductivity)
   {
     lump(phase, capacity, mass);
-    lump(phase, {{1., 1.}}, volume);
     diagonal = 0.;
-    row_sums = 0.;
     for (unsigned int c = 0; c < couplings.size(); ++c)
       {
         set_couplings(c, phase, conductivity);
@@ -87,16 +93,30 @@ namespace Thalweg
         for (unsigned int i = 1, k = 0; i < n_vertices; ++i)
           for (unsigned int j = 0; j < i; ++j, ++k)
             for (const unsigned int node : {nodes[i], nodes[j]})
-              {
-                diagonal.local_element(node) += couplings[c][k];
-                row_sums.local_element(node) += 2. * std::abs(couplings[c][k]);
-              }
+              diagonal.local_element(node) += couplings[c][k];
       }
-    for (Vector *vector : {&diagonal, &row_sums})
+    space.fold(diagonal, 1);
+    diagonal.zero_out_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  ScalarOperator<dim>::find_majorant(Vector &row_sums) const
+  {
+    row_sums.zero_out_ghost_values();
+    row_sums = 0.;
+    for (unsigned int c = 0; c < couplings.size(); ++c)
       {
-        space.fold(*vector, 1);
-        vector->zero_out_ghost_values();
+        const auto &nodes = space.nodes(c);
+        for (unsigned int i = 1, k = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < i; ++j, ++k)
+            for (const unsigned int node : {nodes[i], nodes[j]})
+              row_sums.local_element(node) += 2. * std::abs(couplings[c][k]);
       }
+    space.fold(row_sums, 1);
+    row_sums.zero_out_ghost_values();
   }
 
 

@@ -188,7 +188,7 @@ namespace Thalweg
         for (unsigned int n = 0; n < view->space.n_owned_nodes(); ++n)
           view->molten.local_element(n) =
             point.molten_at(view->field.local_element(n));
-        set_fields(heat_at_nodes(view->field, view->molten));
+        divide_heat();
       }
     at_start = content();
     through = supplied = with_flow = correction = 0.;

@@ -45,11 +45,28 @@ namespace Thalweg
 
 
   template <int dim>
+  template <typename Action>
   void
-  Scalar<dim>::set_fields(const Vector &heat_at_nodes)
+  Scalar<dim>::change_heat(const Action &action)
   {
-    diffusion->melting().find_value(heat_at_nodes, view->field);
-    diffusion->melting().find_molten(heat_at_nodes, view->molten);
+    if (!parameters.melts())
+      {
+        action(view->field);
+        return;
+      }
+    Vector heats = heat_at_nodes(view->field, view->molten);
+    action(heats);
+    diffusion->melting().find_value(heats, view->field);
+    diffusion->melting().find_molten(heats, view->molten);
+  }
+
+
+
+  template <int dim>
+  void
+  Scalar<dim>::divide_heat()
+  {
+    change_heat([](Vector &) {});
   }
 
 
@@ -58,6 +75,8 @@ namespace Thalweg
   double
   Scalar<dim>::content() const
   {
+    if (medium().fluids.size() == 1 && !parameters.melts())
+      return diffusion->content(view->field);
     if (medium().fluids.size() == 1)
       return diffusion->content(heat_at_nodes(view->field, view->molten));
     double sum = 0.;
@@ -89,15 +108,9 @@ namespace Thalweg
     dealii::TimerOutput::Scope scope(host->context.timers, "scalars");
     ScalarSupply               supply;
     const Fields               before = fields();
-    if (parameters.melts())
-      {
-        Vector heats = heat_at_nodes(view->field, view->molten);
-        heats.update_ghost_values();
-        iterations += diffusion->advance(heats, time, dt, supply);
-        set_fields(heats);
-      }
-    else
-      iterations += diffusion->advance(view->field, time, dt, supply);
+    change_heat([&](Vector &heats) {
+      iterations += diffusion->advance(heats, time, dt, supply);
+    });
     const MPI_Comm communicator = host->context.communicator;
     supply.through = dealii::Utilities::MPI::sum(supply.through, communicator);
     supply.source  = dealii::Utilities::MPI::sum(supply.source, communicator);
@@ -118,16 +131,15 @@ namespace Thalweg
     if (parameters.melts())
       balance();
     // What particles beside a boundary have is theirs, whatever is given there.
-    Vector heats = heat_at_nodes(view->field, view->molten);
-    diffusion->set_given_heat(heats, end_of_step - half_step);
-    if (medium().fluids.size() == 1 &&
-        dealii::Utilities::MPI::sum(medium().boundary.passable_faces().size(),
-                                    host->context.communicator) == 0)
-      give_back(heats);
-    if (parameters.melts())
-      set_fields(heats);
-    else
-      view->field.swap(heats);
+    const bool is_closed =
+      medium().fluids.size() == 1 &&
+      dealii::Utilities::MPI::sum(medium().boundary.passable_faces().size(),
+                                  host->context.communicator) == 0;
+    change_heat([&](Vector &heats) {
+      diffusion->set_given_heat(heats, end_of_step - half_step);
+      if (is_closed)
+        give_back(heats);
+    });
     with_flow += content() - before_motion;
   }
 
@@ -138,7 +150,7 @@ namespace Thalweg
   Scalar<dim>::balance()
   {
     const Fields before = fields();
-    set_fields(heat_at_nodes(view->field, view->molten));
+    divide_heat();
     add_increment(before, 0.);
   }
 
@@ -203,8 +215,8 @@ namespace Thalweg
   template double Scalar<dim>::inflow(const dealii::types::boundary_id,      \
                                       const dealii::Point<dim> &,            \
                                       const double) const;                   \
+  template void   Scalar<dim>::divide_heat();                                \
   template void   Scalar<dim>::update_operator();                            \
-  template void   Scalar<dim>::set_fields(const Vector &);                   \
   template Vector Scalar<dim>::heat_at_nodes(const Vector &, const Vector &) \
     const;                                                                   \
   template double Scalar<dim>::content() const;                              \

@@ -46,17 +46,17 @@ namespace Thalweg
 
     /// How well grains of one material are mixed with the others.
     template <int dim>
-    class GrainMixing : public GrainTable<dim>
+    class GrainMixing : public GrainRows<dim>
     {
     public:
       GrainMixing()
-        : GrainTable<dim>("mixing")
+        : GrainRows<dim>("mixing")
       {}
 
       void
       declare_parameters(const Section &section) override
       {
-        schedule.declare_parameters(section, "rows");
+        GrainRows<dim>::declare_parameters(section);
         section.add("Material",
                     material,
                     "",
@@ -71,49 +71,29 @@ namespace Thalweg
                     dealii::Patterns::Double(0));
       }
 
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
-      {
-        for (const auto &[name, view] : all_grains(solution))
-          {
-            material_of(*view);
-            this->open(context,
-                       name,
-                       {"time [s]", "Lacey's index", "part of the material"});
-          }
-      }
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        const Moment &now = solution.moment;
-        if (!schedule.is_due(now.time, now.last_step))
-          return;
-        for (const auto &[name, view] : all_grains(solution))
-          {
-            const auto   samples = samples_of(context, solution.mesh, *view);
-            MixingSample sum;
-            for (const MixingSample &sample : samples)
-              {
-                sum.all += sample.all;
-                sum.some += sample.some;
-              }
-            this->tables[name].write_row(context,
-                                         {now.time,
-                                          lacey_index(samples),
-                                          sum.all > 0. ? sum.some / sum.all
-                                                       : 0.});
-          }
-      }
-
-      void
-      keep(const State<dim> &state) override
-      {
-        schedule.keep(state.values());
-        this->tables.keep(state.values(), schedule.was_due_for_the_end());
-      }
-
     private:
+      std::vector<std::string>
+      columns(const GrainView &view) const override
+      {
+        material_of(view); // that it is there
+        return {"time [s]", "Lacey's index", "part of the material"};
+      }
+
+      std::vector<double>
+      row(const MPI_Comm   communicator,
+          const Mesh<dim> &mesh,
+          const GrainView &view) const override
+      {
+        const auto   samples = samples_of(communicator, mesh, view);
+        MixingSample sum;
+        for (const MixingSample &sample : samples)
+          {
+            sum.all += sample.all;
+            sum.some += sample.some;
+          }
+        return {lacey_index(samples), sum.all > 0. ? sum.some / sum.all : 0.};
+      }
+
       unsigned int
       material_of(const GrainView &view) const
       {
@@ -124,7 +104,7 @@ namespace Thalweg
 
       /// Of all ranks. Collective.
       std::vector<MixingSample>
-      samples_of(Context         &context,
+      samples_of(const MPI_Comm   communicator,
                  const Mesh<dim> &mesh,
                  const GrainView &view) const
       {
@@ -155,14 +135,13 @@ namespace Thalweg
             counts[2 * index] += 1.;
             counts[2 * index + 1] += grains.material[i] == wanted;
           }
-        dealii::Utilities::MPI::sum(counts, context.communicator, counts);
+        dealii::Utilities::MPI::sum(counts, communicator, counts);
         std::vector<MixingSample> samples(counts.size() / 2);
         for (std::size_t k = 0; k < samples.size(); ++k)
           samples[k] = {counts[2 * k], counts[2 * k + 1]};
         return samples;
       }
 
-      Schedule    schedule{.05};
       std::string material;
       double      width = 0.;
     };

@@ -81,18 +81,18 @@ namespace Thalweg
 
     /// Height, run-out and slope of a heap.
     template <int dim>
-    class GrainPile : public GrainTable<dim>
+    class GrainPile : public GrainRows<dim>
     {
     public:
       GrainPile()
-        : GrainTable<dim>("pile")
+        : GrainRows<dim>("pile")
       {}
 
       void
       declare_parameters(const Section &section) override
       {
         using namespace dealii::Patterns;
-        schedule.declare_parameters(section, "rows");
+        GrainRows<dim>::declare_parameters(section);
         section.add("Center",
                     center,
                     "m",
@@ -124,19 +124,6 @@ namespace Thalweg
       }
 
       void
-      initialize(Context &context, const SolutionView<dim> &solution) override
-      {
-        for (const auto &[name, view] : all_grains(solution))
-          this->open(context,
-                     name,
-                     {"time [s]",
-                      "height [m]",
-                      "run-out [m]",
-                      "distance of the given part of the mass [m]",
-                      "slope [degrees]"});
-      }
-
-      void
       check(const RunOutline<dim> &outline) const override
       {
         GrainTable<dim>::check(outline);
@@ -155,49 +142,42 @@ namespace Thalweg
                                        "which two dimensions do not have."));
       }
 
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
+    private:
+      std::vector<std::string>
+      columns(const GrainView &) const override
       {
-        const Moment &now = solution.moment;
-        if (!schedule.is_due(now.time, now.last_step))
-          return;
-        const auto &[low, high] = solution.mesh.box();
+        return {"time [s]",
+                "height [m]",
+                "run-out [m]",
+                "distance of the given part of the mass [m]",
+                "slope [degrees]"};
+      }
+
+      std::vector<double>
+      row(const MPI_Comm   communicator,
+          const Mesh<dim> &mesh,
+          const GrainView &view) const override
+      {
+        const auto &[low, high] = mesh.box();
         double largest          = 0.;
         for (unsigned int d = 0; d < dim; ++d)
           largest = std::max(largest, high[d] - low[d]);
-        const double      w = width > 0. ? width : largest / 200.;
-        const std::size_t n = 1 + std::ceil(std::sqrt(3.) * largest / w);
-        for (const auto &[name, view] : all_grains(solution))
+        const double        w = width > 0. ? width : largest / 200.;
+        const std::size_t   n = 1 + std::ceil(std::sqrt(3.) * largest / w);
+        std::vector<double> tops(n, 0.), masses(n, 0.);
+        for (const PileGrain &grain : grains_of(view, low))
           {
-            std::vector<double> tops(n, 0.), masses(n, 0.);
-            for (const PileGrain &grain : grains_of(*view, low))
-              {
-                const auto b = std::min<std::size_t>(n - 1, grain.distance / w);
-                tops[b]      = std::max(tops[b], grain.top);
-                masses[b] += grain.mass;
-              }
-            MPI_Allreduce(MPI_IN_PLACE,
-                          tops.data(),
-                          n,
-                          MPI_DOUBLE,
-                          MPI_MAX,
-                          context.communicator);
-            dealii::Utilities::MPI::sum(masses, context.communicator, masses);
-            const PileShape shape = shape_of(tops, masses, w, part);
-            this->tables[name].write_row(
-              context,
-              {now.time, shape.height, shape.run_out, shape.bulk, shape.slope});
+            const auto b = std::min<std::size_t>(n - 1, grain.distance / w);
+            tops[b]      = std::max(tops[b], grain.top);
+            masses[b] += grain.mass;
           }
+        MPI_Allreduce(
+          MPI_IN_PLACE, tops.data(), n, MPI_DOUBLE, MPI_MAX, communicator);
+        dealii::Utilities::MPI::sum(masses, communicator, masses);
+        const PileShape shape = shape_of(tops, masses, w, part);
+        return {shape.height, shape.run_out, shape.bulk, shape.slope};
       }
 
-      void
-      keep(const State<dim> &state) override
-      {
-        schedule.keep(state.values());
-        this->tables.keep(state.values(), schedule.was_due_for_the_end());
-      }
-
-    private:
       static unsigned int
       number_of(const std::string &axis)
       {
@@ -240,7 +220,6 @@ namespace Thalweg
         return center.empty() ? low[d] : center[d];
       }
 
-      Schedule                 schedule{.05};
       std::vector<double>      center;
       std::string              upwards;
       std::vector<std::string> along;

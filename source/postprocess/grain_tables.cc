@@ -180,74 +180,49 @@ namespace Thalweg
 
     /// Forces and torques on walls.
     template <int dim>
-    class WallForces : public GrainTable<dim>
+    class WallForces : public GrainRows<dim>
     {
     public:
       WallForces()
-        : GrainTable<dim>("wall forces")
+        : GrainRows<dim>("wall forces")
       {}
 
-      void
-      declare_parameters(const Section &section) override
-      {
-        schedule.declare_parameters(section, "rows");
-      }
-
-      void
-      initialize(Context &context, const SolutionView<dim> &solution) override
-      {
-        for (const auto &[name, view] : all_grains(solution))
-          {
-            std::vector<std::string> columns{"time [s]"};
-            for (const std::string &wall : view->wall_names)
-              {
-                for (unsigned int d = 0; d < dim; ++d)
-                  columns.push_back(wall + ": force " +
-                                    std::string(1, "xyz"[d]) + " [N]");
-                for (unsigned int d = first_axis; d < 3; ++d)
-                  columns.push_back(wall + ": torque " +
-                                    std::string(1, "xyz"[d]) + " [N m]");
-              }
-            this->open(context, name, columns);
-          }
-      }
-
-      void
-      execute(Context &context, const SolutionView<dim> &solution) override
-      {
-        const Moment &now = solution.moment;
-        if (!schedule.is_due(now.time, now.last_step))
-          return;
-        for (const auto &[name, view] : all_grains(solution))
-          {
-            std::vector<double> row{0.};
-            for (const WallForce &force : view->walls.forces)
-              {
-                const double f[]{force.force.x, force.force.y, force.force.z};
-                const double t[]{force.torque.x,
-                                 force.torque.y,
-                                 force.torque.z};
-                row.insert(row.end(), f, f + dim);
-                row.insert(row.end(), t + first_axis, t + 3);
-              }
-            dealii::Utilities::MPI::sum(row, context.communicator, row);
-            row[0] = now.time;
-            this->tables[name].write_row(context, row);
-          }
-      }
-
-      void
-      keep(const State<dim> &state) override
-      {
-        schedule.keep(state.values());
-        this->tables.keep(state.values(), schedule.was_due_for_the_end());
-      }
-
     private:
+      std::vector<std::string>
+      columns(const GrainView &view) const override
+      {
+        std::vector<std::string> names{"time [s]"};
+        for (const std::string &wall : view.wall_names)
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              names.push_back(wall + ": force " + std::string(1, "xyz"[d]) +
+                              " [N]");
+            for (unsigned int d = first_axis; d < 3; ++d)
+              names.push_back(wall + ": torque " + std::string(1, "xyz"[d]) +
+                              " [N m]");
+          }
+        return names;
+      }
+
+      std::vector<double>
+      row(const MPI_Comm communicator,
+          const Mesh<dim> &,
+          const GrainView &view) const override
+      {
+        std::vector<double> numbers;
+        for (const WallForce &force : view.walls.forces)
+          {
+            const double f[]{force.force.x, force.force.y, force.force.z};
+            const double t[]{force.torque.x, force.torque.y, force.torque.z};
+            numbers.insert(numbers.end(), f, f + dim);
+            numbers.insert(numbers.end(), t + first_axis, t + 3);
+          }
+        dealii::Utilities::MPI::sum(numbers, communicator, numbers);
+        return numbers;
+      }
+
       /// In two dimensions torques are about the third one.
       static constexpr unsigned int first_axis = dim == 3 ? 0 : 2;
-
-      Schedule schedule{.05};
     };
   } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/errors.h>
+#include <thalweg/core/mpi_session.h>
 #include <thalweg/core/parameter_file.h>
 #include <thalweg/core/reference.h>
 #include <thalweg/core/section.h>
@@ -176,5 +177,16 @@ namespace Thalweg
     if (dimension == 3)
       return run<3>(communicator, options, input);
     return run<2>(communicator, options, input);
+  }
+
+
+
+  int
+  run_program(int argc, char **argv)
+  {
+    const MpiSession mpi;
+    return run_guarded(MPI_COMM_WORLD, [argc, argv]() {
+      return run_program(MPI_COMM_WORLD, read_options(argc, argv));
+    });
   }
 } // namespace Thalweg

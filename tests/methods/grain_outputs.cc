@@ -39,8 +39,7 @@ namespace
                                      section("linear",
                                              {"Normal stiffness = 1e6"})) +
                              insertion)) +
-           section("Body forces", {"Gravity = 0, -10"}) +
-           section("Time", {"Time step = " + dt, "End time = " + end});
+           section("Body forces", {"Gravity = 0, -10"}) + steps_of(dt, end);
   }
 } // namespace
 

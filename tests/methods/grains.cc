@@ -50,12 +50,6 @@ namespace
                              : "Gravity = 1, 0.5, -9.81"});
   }
 
-  std::string
-  grain_steps(const std::string &dt, const std::string &end)
-  {
-    return section("Time", {"Time step = " + dt, "End time = " + end});
-  }
-
   /// All grains of a run by their numbers.
   template <int dim>
   std::map<std::uint64_t, GrainRecord>
@@ -144,7 +138,7 @@ TYPED_TEST_SUITE(GrainsMpi, Dimensions);
 TYPED_TEST(GrainsMpi, TheBitsAreTheSameOnAnyNumberOfProcessesAndMeshes)
 {
   constexpr int      dim   = TypeParam::value;
-  const std::string  steps = grain_steps("0.01", "0.2");
+  const std::string  steps = steps_of("0.01", "0.2");
   const RunCase<dim> alone(unit_box<dim>(1) + some<dim>() + steps,
                            MPI_COMM_SELF);
   const auto         all = grains_of(alone);
@@ -176,7 +170,7 @@ TYPED_TEST(GrainsMpi, TheyLeaveThroughOpenBoundariesAndComeInAtIntervals)
        "Last time = 0.25",
        std::string("Velocity = ") + (dim == 2 ? "0; -8" : "0; 0; -8")},
       {std::string("Open = ") + (dim == 2 ? "bottom" : "front")})) +
-    grain_steps("0.01", "0.6"));
+    steps_of("0.01", "0.6"));
   const double n = 3. * std::pow(5., dim - 1);
   EXPECT_EQ(run.last("sand: grains"), 0.);
   EXPECT_EQ(run.last("sand: grains left"), n);
@@ -203,7 +197,7 @@ TYPED_TEST(GrainsMpi, StreamsHaveTheirRateAndGrainsAreTakenOut)
          "Last time = 0.09",
          rate,
          std::string("Velocity = ") + (dim == 2 ? "0; -8" : "0; 0; -8")})) +
-      grain_steps("0.01", "0.12"));
+      steps_of("0.01", "0.12"));
   };
   // At 0, 0.02, ... 0.08 s.
   const RunCase<dim> numbers = run("Number rate = 137");
@@ -222,7 +216,7 @@ TYPED_TEST(GrainsMpi, StreamsHaveTheirRateAndGrainsAreTakenOut)
       section("Contact", {}, section("linear", {"Normal stiffness = 1e6"})) +
         section("Insertion", {"Diameter = 0.2", "Spacing = 0.25"}) +
         section("Removal", {"Region = if(t > 0.015, x - 0.5, -1)"}))) +
-    grain_steps("0.01", "0.03"));
+    steps_of("0.01", "0.03"));
   EXPECT_EQ(taken.last("sand: grains"), .5 * std::pow(4., dim));
   EXPECT_EQ(taken.last("sand: grains left"), .5 * std::pow(4., dim));
   EXPECT_NEAR(taken.last("sand: missing energy [J]"), 0., 1e-9);
@@ -245,7 +239,7 @@ TYPED_TEST(GrainsMpi, EnergyIsMissedWithTheSquareOfTheSubStep)
                                  {"Steps a contact = " + steps_a_contact})) +
       section("Body forces",
               {dim == 2 ? "Gravity = 0, -9.81" : "Gravity = 0, 0, -9.81"}) +
-      grain_steps("0.01", "0.3"));
+      steps_of("0.01", "0.3"));
     EXPECT_EQ(run.last("sand: grains"), std::pow(4., dim));
     EXPECT_EQ(run.last("sand: grains left"), 0.);
     const double dissipated = run.last("sand: dissipated along normals [J]");
@@ -264,7 +258,7 @@ TYPED_TEST(GrainsMpi, ARunGoesOnFromACheckpointWithTheSameBits)
 {
   constexpr int          dim   = TypeParam::value;
   const std::string      input = wandering_mesh<dim>() + some<dim>();
-  const std::string      end   = grain_steps("0.01", "0.2");
+  const std::string      end   = steps_of("0.01", "0.2");
   const RunCase<dim>     straight(input + end, MPI_COMM_SELF);
   const ResumedCase<dim> resumed(input + end, 11);
   expect_same_bits(grains_of(*resumed), grains_of(straight));
@@ -282,7 +276,7 @@ TYPED_TEST(GrainsMpi, AnyNumberOfThemAndTwoMethodsBesideEachOther)
   const RunCase<dim> none(
     unit_box<dim>(2) +
     with_grains(grain_sections({"Diameter = 0.1", "First time = 5"})) +
-    grain_steps("0.01", "0.02"));
+    steps_of("0.01", "0.02"));
   EXPECT_EQ(none.last("sand: grains"), 0.);
   const RunCase<dim> both(
     unit_box<dim>(2) +
@@ -294,7 +288,7 @@ TYPED_TEST(GrainsMpi, AnyNumberOfThemAndTwoMethodsBesideEachOther)
                              {},
                              {},
                              "b")) +
-    gravity<dim>() + grain_steps("0.01", "0.5"));
+    gravity<dim>() + steps_of("0.01", "0.5"));
   EXPECT_EQ(both.last("a: grains"), 1.);
   EXPECT_EQ(both.last("b: grains"), 2.);
   EXPECT_GT(both.last("a: dissipated along normals [J]"), 0.);
@@ -314,7 +308,7 @@ TEST(Grains, TheyFallAsFastAThousandKilometresAway)
                                   "Number = 150",
                                   "Diameter = 0.13",
                                   "Velocity = 0.5; 0.3; 0"})) +
-      gravity<3>() + grain_steps("0.01", "0.1"));
+      gravity<3>() + steps_of("0.01", "0.1"));
     EXPECT_EQ(run.last("sand: grains lost"), 0.);
     return run.last("sand: potential energy [J]");
   };
@@ -329,9 +323,8 @@ TEST(Grains, TheyFallAsFastAThousandKilometresAway)
 TEST(Grains, WhatCannotBeIsRefused)
 {
   const auto complaint = [](const std::string &methods) {
-    return complaint_of([&]() {
-      RunCase<2>(unit_box<2>(2) + methods + grain_steps("0.1", "0.1"));
-    });
+    return complaint_of(
+      [&]() { RunCase<2>(unit_box<2>(2) + methods + steps_of("0.1", "0.1")); });
   };
   EXPECT_EQ(complaint(with_grains(grain_sections({"Diameter = 0.1"}))), "");
   EXPECT_NE(complaint(

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "support/carried_scalar.h"
 #include "support/complaint.h"
 #include "support/input.h"
 #include "support/resumed_case.h"
@@ -13,26 +14,6 @@ using namespace Thalweg;
 
 namespace
 {
-  /// A scalar in a flow of a given velocity.
-  std::string
-  carried_by(const std::string              &velocity,
-             const std::vector<std::string> &settings,
-             const std::string              &conditions = "",
-             const std::string              &flow       = "",
-             const std::string              &fluids     = one_fluid(1., 1.))
-  {
-    return section("Methods",
-                   {"Names = water: advection, heat: scalar"},
-                   section("water", {"Velocity = " + velocity}, fluids + flow) +
-                     section("heat", settings, conditions));
-  }
-
-  std::string
-  steps(const std::string &dt, const std::string &end)
-  {
-    return section("Time", {"Time step = " + dt, "End time = " + end});
-  }
-
   template <int dim>
   const ScalarView<dim> &
   view_of(const RunCase<dim> &run)
@@ -84,7 +65,7 @@ TEST(ScalarMpi, ADiffusingGaussianIsOfSecondOrder)
           carried_by(rotation,
                      {"Initial value = exp(-((x-0.6)^2+(y-0.5)^2)/0.008)/0.008",
                         "Diffusivity = 5e-4"}) +
-          steps(std::to_string(dt), std::to_string(M_PI / 2.)));
+          steps_of(std::to_string(dt), std::to_string(M_PI / 2.)));
         const double w = .008 + 4. * D * M_PI / 2.;
         errors[i]      = error(run, [&](const auto &x) {
           return std::exp(-(std::pow(x[0] - .5, 2) + std::pow(x[1] - .6, 2)) /
@@ -106,7 +87,7 @@ TEST(ScalarMpi, WithoutDiffusionParticlesKeepTheirValues)
   const RunCase<2> run(
     hanging_box<2>(6) +
     carried_by(eddy, {"Initial value = if(x > 0.45, 1, 0)"}) +
-    steps("0.3", "6"));
+    steps_of("0.3", "6"));
   EXPECT_EQ(run.last("heat: least"), 0.);
   EXPECT_EQ(run.last("heat: greatest"), 1.);
   EXPECT_GE(run.last("heat: least on the mesh"), -.02);
@@ -122,7 +103,7 @@ TEST(ScalarMpi, WhatIsUniformStays)
     carried_by(eddy,
                {"Initial value = 293.15", "Diffusivity = 0.1"},
                section("Boundary conditions", {"Value = left: 293.15"})) +
-    steps("0.2", "2"));
+    steps_of("0.2", "2"));
   for (const char *what :
        {"least", "greatest", "least on the mesh", "greatest on the mesh"})
     EXPECT_EQ(run.last(std::string("heat: ") + what), 293.15) << what;
@@ -142,7 +123,7 @@ TEST(ScalarMpi, WhatFlowsInHasTheValueThere)
                    section("Boundary conditions", {"Value = left: 3"}),
                    section("Boundary conditions",
                            {"Open = left: 0 | right: 0"})) +
-        steps(dt, "2"));
+        steps_of(dt, "2"));
       // At small steps new particles beside the inlet lie between it and what
       // was inside: that fades.
       EXPECT_NEAR(run.last("heat: least"), 3., 1e-6) << dt;
@@ -163,7 +144,7 @@ TEST(ScalarMpi, GoesOnWhereItStopped)
                        {"Value = left: 0", "Flux = right: t"}),
                section("Initial conditions", {"Level set = y - 0.47"}),
                two_fluids(1000., 1.)) +
-    steps("0.1", "0.8");
+    steps_of("0.1", "0.8");
   const RunCase<2>     whole(text);
   const ResumedCase<2> resumed(text, 3);
   for (const char *column : {"content",
@@ -194,7 +175,7 @@ TEST(ScalarMpi, BuoyancyTurnsWaterOver)
             {"Names = buoyancy: boussinesq"},
             section("buoyancy",
                     {"Between = water, heat", "Expansion = 0.01"})) +
-    steps("0.1", "3"));
+    steps_of("0.1", "3"));
   EXPECT_GT(run.last("water: kinetic energy [J]"), 1e-6);
   EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-9);
 }
@@ -221,7 +202,7 @@ TEST(ScalarMpi, TheBooksOfTwoFluidsBalance)
                               {"Flux = bottom: 1e6",
                                "Exchange = top: 100; 280"})) +
               section("dye", {"Initial value = if(y < 0.4 + 0.2*x, 1, 0)"})) +
-    steps("0.02", "0.3"));
+    steps_of("0.02", "0.3"));
   const double heat = run.last("heat: content");
   EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-12 * heat);
   EXPECT_NEAR(run.last("heat: with the flow"), 0., 1e-4 * heat);

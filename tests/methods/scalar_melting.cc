@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "support/input.h"
+#include "support/carried_scalar.h"
 #include "support/resumed_case.h"
 #include "support/run_case.h"
 
@@ -17,16 +17,7 @@ namespace
       const std::string              &fluids     = one_fluid(1., 1.),
       const std::string              &flow       = "")
   {
-    return section("Methods",
-                   {"Names = wax: advection, heat: scalar"},
-                   section("wax", {"Velocity = " + velocity}, fluids + flow) +
-                     section("heat", settings, conditions));
-  }
-
-  std::string
-  in_steps_of(const std::string &dt, const std::string &end)
-  {
-    return section("Time", {"Time step = " + dt, "End time = " + end});
+    return carried_by(velocity, settings, conditions, flow, fluids);
   }
 
   std::string
@@ -74,7 +65,7 @@ TEST(ScalarMeltingMpi, TheFrontOfASolidAtItsMeltingPointIsThatOfNeumann)
       const RunCase<2> run(
         bar("40, 2") +
         wax({"Diffusivity = 1", "Latent heat = 2"}, given("left: 1")) +
-        in_steps_of(dt, "0.3"));
+        steps_of(dt, "0.3"));
       const double front = 2. * lambda * std::sqrt(.3);
       EXPECT_NEAR(run.last("heat: molten part"), front, .005 * front) << dt;
       EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-11) << dt;
@@ -97,7 +88,7 @@ TEST(ScalarMeltingMpi, TheFrontInAColdSolidIsThatOfNeumann)
                             "Solidus = 3",
                             "Liquidus = 3"},
                            given("left: 4 | right: 2.5")) +
-                       in_steps_of("0.0005", "0.05"));
+                       steps_of("0.0005", "0.05"));
   const double     front = 2. * lambda * std::sqrt(.05);
   EXPECT_NEAR(run.last("heat: molten part"), front, .01 * front);
   EXPECT_NEAR(run.last("heat: unaccounted"), 0., 1e-11);
@@ -121,7 +112,7 @@ TEST(ScalarMeltingMpi, AHeatedBodyMeltsWhenItIsDue)
                                   "Tolerance = 1e-13"},
                                  "",
                                  "sin(pi*x)*cos(pi*y); -cos(pi*x)*sin(pi*y)") +
-                             in_steps_of("0.25", std::to_string(end)));
+                             steps_of("0.25", std::to_string(end)));
         // Over the capacity, after it has come to the solidus.
         const double heat   = end - 1.;
         const double molten = std::clamp(heat / (2. + range), 0., 1.);
@@ -142,9 +133,9 @@ TEST(ScalarMeltingMpi, FreezingOfASlabIsTheSameIn2dAnd3d)
                                           "Latent heat = 2"};
   const std::string              cold = given("left: -1 | right: -1");
   const RunCase<3> run(unit_box<3>(5) + wax(settings, cold, "0; 0; 0") +
-                       in_steps_of("0.1", "0.5"));
+                       steps_of("0.1", "0.5"));
   const RunCase<2> flat(unit_box<2>(5) + wax(settings, cold) +
-                        in_steps_of("0.1", "0.5"));
+                        steps_of("0.1", "0.5"));
   EXPECT_GT(run.last("heat: molten part"), .4);
   EXPECT_LT(run.last("heat: molten part"), .9);
   // The particles stand elsewhere.
@@ -166,8 +157,8 @@ TEST(ScalarMeltingMpi, WhatIsMoltenIsCarriedAlong)
     wax({"Initial value = 3*sin(2*pi*x)", "Latent heat = 5", "Liquidus = 1"},
         "",
         "1; 0");
-  const RunCase<2> run(text + in_steps_of("0.1", "1"));
-  const RunCase<2> start(text + in_steps_of("1e-9", "1e-9"));
+  const RunCase<2> run(text + steps_of("0.1", "1"));
+  const RunCase<2> start(text + steps_of("1e-9", "1e-9"));
   EXPECT_NEAR(run.last("heat: molten part"),
               start.last("heat: molten part"),
               .01);
@@ -189,7 +180,7 @@ TEST(ScalarMeltingMpi, OneOfTwoFluidsMeltsAndGoesOnWhereItStopped)
         "sin(pi*x)*cos(pi*y); -cos(pi*x)*sin(pi*y)",
         two_fluids(1000., 1.),
         section("Initial conditions", {"Level set = y - 0.47"})) +
-    in_steps_of("0.05", "0.4");
+    steps_of("0.05", "0.4");
   const RunCase<2>     whole(text);
   const ResumedCase<2> resumed(text, 3);
   for (const char *column : {"content", "molten part", "least"})

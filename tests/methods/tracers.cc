@@ -46,12 +46,6 @@ namespace
       action(maps.to_space(walker.cell, walker.reference), tracer);
   }
 
-  std::string
-  steps_of(const std::string &dt, const std::string &end)
-  {
-    return section("Time", {"Time step = " + dt, "End time = " + end});
-  }
-
   /// Velocities of this parabola between nodes with a distance of an eighth.
   double
   piecewise_linear(const double y)

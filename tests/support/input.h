@@ -81,6 +81,13 @@ one_fluid(const double density, const double viscosity)
                           "Viscosity = " + std::to_string(viscosity)}));
 }
 
+/// Steps of one size until an end, s.
+inline std::string
+steps_of(const std::string &dt, const std::string &end)
+{
+  return section("Time", {"Time step = " + dt, "End time = " + end});
+}
+
 /// Densities and viscosities of two fluids.
 inline std::string
 two_fluids(const double density_1,

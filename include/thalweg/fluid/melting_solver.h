@@ -32,11 +32,18 @@ namespace Thalweg
       const std::vector<bool> &is_given;
     };
 
-    /// @param matrix, melting up to date when solve() is called; like @p space
-    /// they must outlive the object
+    /// @param space, matrix, melting must outlive the object
     MeltingSolver(const NodeSpace<dim>    &space,
                   ScalarOperator<dim>     &matrix,
                   const NodalMelting<dim> &melting);
+
+    /// Behind each change of the matrix, whose conductivities it has to know.
+    /// Collective.
+    void
+    update()
+    {
+      matrix.find_majorant(majorant);
+    }
 
     /**
      * @brief Solves. Collective.
@@ -87,10 +94,10 @@ namespace Thalweg
     double
     length_of_step(const Step &step) const;
 
-    const NodeSpace<dim>       &space;
-    ScalarOperator<dim>        &matrix;
-    const NodalMelting<dim>    &melting;
-    Vector                      value, gain, residual, increment, change;
+    const NodeSpace<dim>    &space;
+    ScalarOperator<dim>     &matrix;
+    const NodalMelting<dim> &melting;
+    Vector                   majorant, value, gain, residual, increment, change;
     std::vector<Melting::State> states;
     std::vector<double>         slopes;
   };

@@ -54,17 +54,29 @@ namespace Thalweg
 
     /// The value that belongs to heat. Collective.
     void
-    find_value(const Vector &heat, Vector &value) const;
+    find_value(const Vector &heat, Vector &value) const
+    {
+      find(heat, &Melting::value, value);
+    }
 
     /// The molten part that belongs to heat. Collective.
     void
-    find_molten(const Vector &heat, Vector &molten) const;
+    find_molten(const Vector &heat, Vector &molten) const
+    {
+      find(heat, &Melting::molten, molten);
+    }
 
     /// Which part is molten of all that can be. Collective.
     double
     molten_part(const Vector &molten) const;
 
   private:
+    /// What the law at each node finds in a heat.
+    void
+    find(const Vector &heat,
+         double (Melting::*part)(const double) const,
+         Vector &result) const;
+
     const NodeSpace<dim> &space;
     const Melting         law;
     Vector                lumped; ///< latent heats

@@ -91,13 +91,10 @@ namespace Thalweg
     void
     vmult(Vector &result, const Vector &increment) const;
 
-    /// Of each node what is no less than K in the sense of quadratic forms:
-    /// the sums of the absolute values of its rows.
-    const Vector &
-    majorant() const
-    {
-      return row_sums;
-    }
+    /// Finds a diagonal that is no less than K in the sense of quadratic forms:
+    /// the sums of the absolute values of its rows, owned values. Collective.
+    void
+    find_majorant(Vector &row_sums) const;
 
     const Jacobi<Vector> &
     jacobi() const
@@ -121,7 +118,6 @@ namespace Thalweg
     std::vector<std::array<double, n_pairs>> couplings;
     Vector                                   mass, volume;
     Vector                                   diagonal; ///< of K
-    Vector                                   row_sums; ///< of its absolutes
     Vector                                   shift;    ///< C/tau + H
     std::vector<bool>                        is_fixed;
     Jacobi<Vector>                           preconditioner;

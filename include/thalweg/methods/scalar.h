@@ -185,13 +185,20 @@ namespace Thalweg
     Fields
     fields() const;
 
-    /// The heat of values and molten parts at the nodes; owned values.
+    /// The heat of values and molten parts at the nodes; ghosted if something
+    /// melts.
     Vector
     heat_at_nodes(const Vector &value, const Vector &molten) const;
 
-    /// Divides a heat between the fields of the view.
+    /// Lets @p action(heat) change the heat at the nodes, ghosted, and divides
+    /// it between the fields of the view: the scalar itself if nothing melts.
+    template <typename Action>
     void
-    set_fields(const Vector &heat_at_nodes);
+    change_heat(const Action &action);
+
+    /// Divides the heat at the nodes anew, which stays as it is.
+    void
+    divide_heat();
 
     /// Calls @p add(row of a particle, increments of its value, its molten part
     /// and its heat, capacity of its volume) with what the fields less

@@ -18,6 +18,11 @@ namespace Thalweg
    */
   int
   run_program(const MPI_Comm communicator, const Options &options);
+
+  /// All of main(): with MPI, and with faults as messages.
+  /// @return the exit code
+  int
+  run_program(int argc, char **argv);
 } // namespace Thalweg
 
 #endif

@@ -86,6 +86,42 @@ namespace Thalweg
 
   template <int dim>
   void
+  Q1Integrals<dim>::add_outflow(const Cell        &cell,
+                                const Velocity    &velocity,
+                                const double       factor,
+                                PerVertex<double> &result) const
+  {
+    if (cell.axis_parallel)
+      {
+        const dealii::Tensor<1, dim> scale =
+          (factor * cell.measure) * cell.inverse_extent;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            for (unsigned int d = 0; d < dim; ++d)
+              result[i] +=
+                scale[d] * divergence_table[j][i][d] * velocity[dim * j + d];
+        return;
+      }
+    for_each_point<dim>(gauss,
+                        cell,
+                        [&](const auto  &values,
+                            const auto  &gradients,
+                            const double weight) {
+                          double divergence = 0.;
+                          for (unsigned int j = 0; j < n_vertices; ++j)
+                            for (unsigned int d = 0; d < dim; ++d)
+                              divergence +=
+                                gradients[j][d] * velocity[dim * j + d];
+                          divergence *= factor * weight;
+                          for (unsigned int i = 0; i < n_vertices; ++i)
+                            result[i] += values[i] * divergence;
+                        });
+  }
+
+
+
+  template <int dim>
+  void
   Q1Integrals<dim>::add_gradient(const Cell              &cell,
                                  const PerVertex<double> &pressure,
                                  Velocity                &result) const

@@ -62,11 +62,23 @@ namespace Thalweg
   {
     const auto r = gather_velocity<dim>(rate, space.nodes(cell));
     integrals.add_divergence(space.mesh().graph().cell(cell), r, load.nodal);
+    subtract_star_outflow(cell, r, load);
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::subtract_star_outflow(
+    const unsigned int                         cell,
+    const std::array<double, dim *(1 << dim)> &field,
+    Load                                      &load) const
+  {
     if (const CutCell<dim> *cut = enriched_cell(cell))
       for (unsigned int j = 0; j < load.star.size(); ++j)
         for (unsigned int v = 0; v < load.nodal.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
-            load.star[j] -= cut->star_divergence[j][v][d] * r[dim * v + d];
+            load.star[j] -= cut->star_divergence[j][v][d] * field[dim * v + d];
   }
 
 
@@ -145,12 +157,29 @@ namespace Thalweg
 
   template <int dim>
   void
-  PressureSystem<dim>::assemble_residual(const Vector           &rate,
-                                         const bool              with_forces,
-                                         const EnrichedPressure *pressure)
+  PressureSystem<dim>::add(const unsigned int cell,
+                           const Load        &load,
+                           const double       factor,
+                           EnrichedPressure  &all) const
   {
-    residual = 0.;
-    boundary.add_flux(rate, -1., nodal(residual));
+    const auto &nodes = space.nodes(cell);
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      nodal(all).local_element(nodes[v]) += factor * load.nodal[v];
+    if (enriched_cell(cell))
+      for (unsigned int v = 0; v < nodes.size(); ++v)
+        star(all).local_element(nodes[v]) += factor * load.star[v];
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_residual(const Vector              &rate,
+                                    const bool                 with_forces,
+                                    const EnrichedPressure    *pressure,
+                                    const std::vector<double> *cell_factors,
+                                    EnrichedPressure          &all) const
+  {
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
         Load load;
@@ -159,13 +188,40 @@ namespace Thalweg
           add_forces(c, load);
         if (pressure)
           subtract_pressure(c, *pressure, load);
-        const auto &nodes = space.nodes(c);
-        for (unsigned int v = 0; v < nodes.size(); ++v)
-          nodal(residual).local_element(nodes[v]) += load.nodal[v];
-        if (enriched_cell(c))
-          for (unsigned int v = 0; v < nodes.size(); ++v)
-            star(residual).local_element(nodes[v]) += load.star[v];
+        add(c, load, cell_factors ? (*cell_factors)[c] : 1., all);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::subtract_outflow(const Vector              &field,
+                                        const std::vector<double> &cell_factors,
+                                        EnrichedPressure          &all) const
+  {
+    for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
+      {
+        Load       load;
+        const auto u = gather_velocity<dim>(field, space.nodes(c));
+        integrals.add_outflow(
+          space.mesh().graph().cell(c), u, -1., load.nodal);
+        subtract_star_outflow(c, u, load);
+        add(c, load, cell_factors[c], all);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::assemble_residual(const Vector           &rate,
+                                         const bool              with_forces,
+                                         const EnrichedPressure *pressure)
+  {
+    residual = 0.;
+    boundary.add_flux(rate, -1., nodal(residual));
+    add_residual(rate, with_forces, pressure, nullptr, residual);
     space.fold(nodal(residual), 1);
     space.fold(star(residual), 1);
     enriched->remove_given(nodal(residual));
@@ -195,7 +251,7 @@ namespace Thalweg
     assemble_residual(rate, with_forces, with_forces ? &pressure : nullptr);
     const SolveReport report =
       solve(tolerance * reference_norm, maximal_iterations);
-    add(space, increment, pressure);
+    Thalweg::add(space, increment, pressure);
     return report;
   }
 
@@ -273,6 +329,26 @@ namespace Thalweg
         for (unsigned int v = 0; v < nodes.size(); ++v)
           for (unsigned int d = 0; d < dim; ++d)
             force.local_element(dim * nodes[v] + d) -= result[dim * v + d];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_force_density(Vector &force) const
+  {
+    if (!forces.has_density())
+      return;
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto measures = integrals.node_measures(graph.cell(c));
+        const auto f        = forces.density(Q1::center<dim>(graph.cell(c)));
+        for (unsigned int i = 0; i < measures.size(); ++i)
+          for (unsigned int d = 0; d < dim; ++d)
+            force.local_element(dim * space.nodes(c)[i] + d) +=
+              measures[i] * f[d];
       }
   }
 

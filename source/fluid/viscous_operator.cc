@@ -77,6 +77,30 @@ namespace Thalweg
 
 
   template <int dim>
+  typename ViscousOperator<dim>::CellMatrix
+  ViscousOperator<dim>::cell_matrix(const unsigned int cell) const
+  {
+    const CellViscosity viscosity = cell_viscosity(cell);
+    CellMatrix          matrix{};
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto point = gauss.evaluate(space.mesh().graph().cell(cell), q);
+        const double weight = gauss.weight * point.determinant;
+        for (unsigned int j = 0; j < n_cell_values; ++j)
+          {
+            dealii::Tensor<2, dim> gradient;
+            gradient[j % dim] = weight * point.gradients[j / dim];
+            const auto sigma  = viscosity.stress(gradient);
+            for (unsigned int i = 0; i < n_cell_values; ++i)
+              matrix[i][j] += sigma[i % dim] * point.gradients[i / dim];
+          }
+      }
+    return matrix;
+  }
+
+
+
+  template <int dim>
   void
   ViscousOperator<dim>::subtract_viscous_force(const Vector &velocity,
                                                Vector       &force) const

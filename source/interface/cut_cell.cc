@@ -33,6 +33,7 @@ namespace Thalweg
                    const double                          absolute_phi,
                    const dealii::Tensor<1, dim>         &absolute_gradient,
                    const double                          weight,
+                   const unsigned int                    fluid,
                    const double                          density)
     {
       constexpr unsigned int n        = 1 << dim;
@@ -59,6 +60,8 @@ namespace Thalweg
             }
           for (unsigned int j = 0; j <= i; ++j)
             cut.laplace_star_star[i][j] += inverse * (star[i] * star[j]);
+          cut.star_mass[fluid][i] +=
+            weight * point.values[i] * point.values[i] * psi * psi;
           cut.star_load[i] += weight * star[i];
           cut.star_inverse_load[i] += inverse * star[i];
           kink[i] += value * absolute_gradient;
@@ -185,6 +188,7 @@ namespace Thalweg
                                  sign * value,
                                  sign * (point.covariant * reference_gradient),
                                  weight,
+                                 negative ? 0 : 1,
                                  density);
               }
           });
@@ -225,6 +229,7 @@ namespace Thalweg
                            sign * piece.phi,
                            sign * gradient,
                            piece.measure,
+                           piece.negative ? 0 : 1,
                            density);
         });
     }

@@ -8,6 +8,7 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 
 namespace Thalweg
 {
@@ -36,6 +37,31 @@ namespace Thalweg
         }
       return values;
     }
+
+
+
+    /// Hands modes to the multigrid's parameters.
+    /// @param vectors keeps them until the hierarchy stands
+    void
+    set_near_null_space(const NearNullSpace                          &space,
+                        const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                        Teuchos::ParameterList                       &parameters,
+                        std::unique_ptr<Epetra_MultiVector>          &vectors)
+    {
+      if (space.modes.empty())
+        return;
+      vectors = std::make_unique<Epetra_MultiVector>(
+        matrix.trilinos_matrix().RowMap(), space.modes.size());
+      for (unsigned int m = 0; m < space.modes.size(); ++m)
+        std::copy(space.modes[m].begin(),
+                  space.modes[m].end(),
+                  (*vectors)[m]);
+      parameters.set("PDE equations", static_cast<int>(space.n_components));
+      parameters.set("null space: type", "pre-computed");
+      parameters.set("null space: dimension",
+                     static_cast<int>(space.modes.size()));
+      parameters.set("null space: vectors", vectors->Values());
+    }
   } // namespace
 
 
@@ -47,7 +73,8 @@ namespace Thalweg
 
   void
   AmgPreconditioner::build(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                           const Smoother smoother)
+                           const Smoother       smoother,
+                           const NearNullSpace &near_null_space)
   {
     dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
@@ -66,6 +93,7 @@ namespace Thalweg
     Teuchos::ParameterList              parameters;
     std::unique_ptr<Epetra_MultiVector> modes;
     data.set_parameters(parameters, modes, matrix);
+    set_near_null_space(near_null_space, matrix, parameters, modes);
     // A tenth of the time for nothing: these parameters are known to be valid.
     parameters.set("ML validate parameter list", false);
     amg = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();

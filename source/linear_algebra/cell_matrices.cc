@@ -92,4 +92,5 @@ namespace Thalweg
 
   template class CellMatrices<4>;
   template class CellMatrices<8>;
+  template class CellMatrices<24>;
 } // namespace Thalweg

@@ -32,6 +32,13 @@ namespace Thalweg
                    const Velocity    &velocity,
                    PerVertex<double> &result) const;
 
+    /// Adds @p factor int N_i div V to @p result.
+    void
+    add_outflow(const Cell        &cell,
+                const Velocity    &velocity,
+                const double       factor,
+                PerVertex<double> &result) const;
+
     /// Adds int N_i grad p to @p result.
     void
     add_gradient(const Cell              &cell,

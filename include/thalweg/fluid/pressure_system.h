@@ -93,6 +93,47 @@ namespace Thalweg
             const double       tolerance,
             const unsigned int maximal_iterations);
 
+    /**
+     * @brief Adds what the equation lacks, of this rank's cells; not folded.
+     * @param rate ghosted, m/s^2; the terms at boundaries with a given
+     *   velocity are left out
+     * @param with_forces whether body forces act
+     * @param pressure is subtracted; nullptr: none
+     * @param cell_factors what each owned cell's part is multiplied by;
+     *   nullptr: 1
+     */
+    void
+    add_residual(const Vector              &rate,
+                 const bool                 with_forces,
+                 const EnrichedPressure    *pressure,
+                 const std::vector<double> *cell_factors,
+                 EnrichedPressure          &load) const;
+
+    /**
+     * @brief Subtracts (q, s div r) of this rank's cells, for all q of the
+     * enriched space; not folded.
+     * @param cell_factors s, of each owned cell
+     */
+    void
+    subtract_outflow(const Vector              &field,
+                     const std::vector<double> &cell_factors,
+                     EnrichedPressure          &load) const;
+
+    /// Multiplies by an approximate inverse of the present matrix. Collective.
+    /// @param load folded @param result owned values only
+    void
+    precondition(EnrichedPressure &result, const EnrichedPressure &load) const
+    {
+      enriched->precondition(result, load, amg);
+    }
+
+    /// Lets the owned nodes where the pressure is given be zero.
+    void
+    remove_given(Vector &load) const
+    {
+      enriched->remove_given(load);
+    }
+
     /// One multigrid cycle for the present matrix. @param load nodal, folded
     /// @param result ghosted and consistent
     void
@@ -101,6 +142,10 @@ namespace Thalweg
     /// Subtracts int N_i grad p in N, of this rank's cells; not folded.
     void
     subtract_gradient(const EnrichedPressure &pressure, Vector &force) const;
+
+    /// Adds int N_i f of the force density, of this rank's cells; not folded.
+    void
+    add_force_density(Vector &force) const;
 
     /// Sets the nodes at open boundaries to their value.
     void
@@ -117,6 +162,13 @@ namespace Thalweg
       std::array<double, (1 << dim)> nodal{};
       std::array<double, (1 << dim)> star{};
     };
+
+    /// all += factor load
+    void
+    add(const unsigned int cell,
+        const Load        &load,
+        const double       factor,
+        EnrichedPressure  &all) const;
 
     using CellMatrix = typename CellMatrices<(1 << dim)>::Local;
 
@@ -164,6 +216,12 @@ namespace Thalweg
     add_divergence(const unsigned int cell,
                    const Vector      &rate,
                    Load              &load) const;
+
+    /// -(q psi, div r) of a field at the cell's nodes
+    void
+    subtract_star_outflow(const unsigned int                         cell,
+                          const std::array<double, dim *(1 << dim)> &field,
+                          Load                                      &load) const;
 
     /**
      * (grad q, g + f/rho). The mean of the field at

@@ -49,7 +49,27 @@ namespace Thalweg
       return diagonal;
     }
 
-  private:
+    static constexpr unsigned int n_cell_values = dim * (1 << dim);
+    using CellMatrix =
+      std::array<std::array<double, n_cell_values>, n_cell_values>;
+
+    /// K of a cell, the components of a node one behind the other.
+    CellMatrix
+    cell_matrix(const unsigned int cell) const;
+
+    /// What update() was given: kg, and s.
+    const Vector &
+    masses() const
+    {
+      return *mass;
+    }
+
+    double
+    time_step() const
+    {
+      return dt;
+    }
+
     /// The viscosity in a cell: one number, or that of a laminate.
     struct CellViscosity
     {
@@ -80,6 +100,7 @@ namespace Thalweg
     CellViscosity
     cell_viscosity(const unsigned int cell) const;
 
+  private:
     const NodeSpace<dim>        &space;
     const BoundaryNodes<dim>    &boundary;
     const PhaseField<dim>       &phase;

@@ -18,8 +18,16 @@ namespace dealii
 
 namespace Thalweg
 {
+  /// What the inverse of a matrix enlarges most, as it is far from boundaries.
+  struct NearNullSpace
+  {
+    /// Owned values; none: a constant
+    std::vector<std::vector<double>> modes;
+    unsigned int                     n_components = 1; ///< a node
+  };
+
   /**
-   * @brief An algebraic multigrid preconditioner (Trilinos ML) for a scalar,
+   * @brief An algebraic multigrid preconditioner (Trilinos ML) for a
    * symmetric and positive definite matrix.
    *
    * A hierarchy is built from the present matrix only: where the density
@@ -51,7 +59,8 @@ namespace Thalweg
      */
     void
     build(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-          const Smoother smoother = Smoother::incomplete_cholesky);
+          const Smoother       smoother = Smoother::incomplete_cholesky,
+          const NearNullSpace &near_null_space = {});
 
     /**
      * @brief Builds the hierarchy unless @p matrix has the same entries as

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/core/registry.h>
+#include <thalweg/fields/turn_nodes.h>
+#include <thalweg/fluid/coupled_system.h>
+
+#include <cmath>
+
+namespace Thalweg
+{
+  template <int dim>
+  CoupledSystem<dim>::CoupledSystem(const CoupledParts<dim>    &parts,
+                                    const CoupledStabilization &stabilization)
+    : parts(parts)
+    , stabilization(stabilization)
+  {
+    const NodeSpace<dim> &space = parts.space;
+    for (Vector *vector : {&work, &acceleration, &friction, &against})
+      space.initialize_velocity(*vector);
+    space.initialize_scalar(measures);
+    space.initialize_scalar(extents);
+    initialize(space, pressure_work);
+    initialize(space, load);
+    const Q1Integrals<dim> integrals;
+    const CellGraph<dim>  &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      {
+        const auto local = integrals.node_measures(graph.cell(c));
+        const auto point = middle(c);
+        for (unsigned int i = 0; i < local.size(); ++i)
+          {
+            const unsigned int node = space.nodes(c)[i];
+            measures.local_element(node) += local[i];
+            extents.local_element(node) +=
+              graph.cell(c).measure * point.gradients[i].norm();
+          }
+      }
+    space.fold(measures, 1);
+    space.fold(extents, 1);
+  }
+
+
+
+  template <int dim>
+  Q1::Point<dim>
+  CoupledSystem<dim>::middle(const unsigned int cell) const
+  {
+    dealii::Point<dim> xi;
+    for (unsigned int d = 0; d < dim; ++d)
+      xi[d] = .5;
+    return Q1::evaluate<dim>(parts.space.mesh().graph().cell(cell),
+                             Q1::values<dim>(xi),
+                             Q1::reference_gradients<dim>(xi));
+  }
+
+
+
+  template <int dim>
+  double
+  CoupledSystem<dim>::viscous_rate(const unsigned int cell) const
+  {
+    const int cut     = parts.phase.cut_index(cell);
+    double    density = 0.;
+    if (cut < 0)
+      density = parts.phase.fluid(cell).density;
+    else
+      for (const double mass : parts.phase.cut_cells()[cut].mass)
+        density += mass / parts.space.mesh().graph().cell(cell).measure;
+    // 1/h^2 is the mean over the directions of the cell.
+    return parts.viscous.cell_viscosity(cell).viscosity / density *
+           middle(cell).covariant.norm_square() / dim;
+  }
+
+
+
+  template <int dim>
+  double
+  CoupledSystem<dim>::update(const double                  duration,
+                             const double                  part_of_end,
+                             const dealii::Tensor<2, dim> &turning)
+  {
+    dt         = duration;
+    theta      = part_of_end;
+    deflection = turning;
+    const unsigned int n_cells = parts.space.mesh().graph().n_owned_cells();
+    taus.resize(n_cells);
+    rests.resize(n_cells);
+    double largest = 0.;
+    largest_tau    = 0.;
+    for (unsigned int c = 0; c < n_cells; ++c)
+      {
+        const double nu = viscous_rate(c);
+        taus[c]         = 1. / stabilization.rate(nu, 1. / dt);
+        rests[c]        = 1. - taus[c] / dt;
+        largest         = std::max(largest, nu * dt);
+        largest_tau     = std::max(largest_tau, taus[c]);
+      }
+    const MPI_Comm communicator =
+      parts.space.mesh().triangulation().get_communicator();
+    largest_tau = dealii::Utilities::MPI::max(largest_tau, communicator);
+    return dealii::Utilities::MPI::max(largest, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::find_gradient(const EnrichedPressure &pressure,
+                                    Vector                 &result) const
+  {
+    result = 0.;
+    parts.pressure.subtract_gradient(pressure, result);
+    parts.space.fold(result, dim);
+    parts.mass.accelerate(result, dealii::Tensor<1, dim>(), nullptr);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::accelerate(const EnrichedPressure &pressure,
+                                 Vector                 &result) const
+  {
+    result = 0.;
+    parts.pressure.subtract_gradient(pressure, result);
+    parts.pressure.add_force_density(result);
+    parts.space.fold(result, dim);
+    parts.mass.accelerate(result,
+                          parts.forces.uniform_acceleration(),
+                          &parts.pressure.acceleration());
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::find_friction(const Vector &velocity_,
+                                    const double  factor) const
+  {
+    friction = 0.;
+    parts.viscous.subtract_viscous_force(velocity_, friction);
+    parts.space.fold(friction, dim);
+    friction.zero_out_ghost_values();
+    const Vector &inverse = parts.mass.inverse_lumped();
+    for (unsigned int n = 0; n < inverse.locally_owned_size(); ++n)
+      for (unsigned int d = 0; d < dim; ++d)
+        friction.local_element(dim * n + d) *=
+          factor * inverse.local_element(n);
+    parts.boundary.project(friction);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::clear_dependent(Vector &rows) const
+  {
+    for (unsigned int n = 0; n < parts.space.n_owned_nodes(); ++n)
+      if (parts.space.is_dependent(n))
+        for (unsigned int d = 0; d < dim; ++d)
+          rows.local_element(dim * n + d) = 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::find_balance(const Vector &projection,
+                                   const Vector &change) const
+  {
+    against.zero_out_ghost_values();
+    switch (stabilization.balance())
+      {
+        case CoupledStabilization::Balance::acceleration:
+          against.equ(1. / dt, change);
+          break;
+        case CoupledStabilization::Balance::friction:
+          against.equ(-1., friction);
+          break;
+        case CoupledStabilization::Balance::projection:
+          against.copy_locally_owned_data_from(projection);
+          break;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::add_stabilization(const bool              with_forces,
+                                        const EnrichedPressure &pressure) const
+  {
+    against *= -1.;
+    parts.space.interpolate(against, dim);
+    parts.pressure.add_residual(against, with_forces, &pressure, &taus, load);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::balance(Vector &rows) const
+  {
+    if (parts.boundary.conditions().has_open_boundary())
+      return;
+    double sums[2] = {0., 0.};
+    for (unsigned int n = 0; n < rows.locally_owned_size(); ++n)
+      {
+        sums[0] += rows.local_element(n);
+        sums[1] += measures.local_element(n);
+      }
+    dealii::Utilities::MPI::sum(
+      sums, parts.space.mesh().triangulation().get_communicator(), sums);
+    rows.add(-sums[0] / sums[1], measures);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::finish_momentum(Vector &rows) const
+  {
+    if (parts.forces.is_rotating())
+      turn_nodes<dim>(deflection, rows);
+    parts.boundary.project(rows);
+    clear_dependent(rows);
+    rows *= 1. / scales[0];
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::finish(const double factor, CoupledFlow &rows) const
+  {
+    for (unsigned int b = 0; b < load.n_blocks(); ++b)
+      parts.space.fold(load.block(b), 1);
+    parts.pressure.remove_given(nodal(load));
+    balance(nodal(load));
+    load *= factor / scales[1];
+    set_pressure(load, rows);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::find_residual(const Vector           &velocity_,
+                                    const Vector           &rate,
+                                    const Vector           &lead,
+                                    const EnrichedPressure &pressure,
+                                    CoupledFlow            &residual)
+  {
+    accelerate(pressure, acceleration);
+    find_friction(velocity_, 1.);
+    Vector &rows = velocity(residual);
+    rows.copy_locally_owned_data_from(acceleration);
+    rows.add(1., friction);
+    finish_momentum(rows);
+
+    load = 0.;
+    work.zero_out_ghost_values();
+    work = 0.;
+    find_balance(acceleration, work);
+    add_stabilization(true, pressure);
+    parts.pressure.subtract_outflow(rate, taus, load);
+    work.copy_locally_owned_data_from(velocity_);
+    work.add(1., lead);
+    parts.space.interpolate(work, dim);
+    parts.pressure.subtract_outflow(work, rests, load);
+    finish(1., residual);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::vmult(CoupledFlow &result, const CoupledFlow &flow) const
+  {
+    get_pressure(flow, pressure_work);
+    parts.pressure.remove_given(nodal(pressure_work));
+    for (unsigned int b = 0; b < pressure_work.n_blocks(); ++b)
+      parts.space.interpolate(pressure_work.block(b), 1);
+    work.zero_out_ghost_values();
+    work.copy_locally_owned_data_from(velocity(flow));
+    parts.boundary.project(work);
+    parts.space.interpolate(work, dim);
+
+    find_gradient(pressure_work, acceleration);
+    find_friction(work, theta);
+    Vector &rows = velocity(result);
+    rows.copy_locally_owned_data_from(acceleration);
+    rows.add(1., friction);
+    rows *= -1.;
+    finish_momentum(rows);
+    // of w / dt itself, which nothing deflects
+    rows.add(1. / (dt * scales[0]), work);
+    clear_dependent(rows);
+
+    load = 0.;
+    parts.pressure.add_residual(work, false, nullptr, nullptr, load);
+    find_balance(acceleration, work);
+    add_stabilization(false, pressure_work);
+    finish(-1., result);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::find_scales(const Vector           &velocity_,
+                                  const EnrichedPressure &given)
+  {
+    accelerate(given, acceleration);
+    find_friction(velocity_, 1.);
+    double sums[2] = {0., 0.};
+    for (unsigned int n = 0; n < extents.locally_owned_size(); ++n)
+      {
+        double squares[2] = {0., 0.}; // of acceleration and velocity
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int k = dim * n + d;
+            squares[0] += std::pow(std::abs(acceleration.local_element(k)) +
+                                     std::abs(friction.local_element(k)),
+                                   2);
+            squares[1] += std::pow(velocity_.local_element(k), 2);
+          }
+        sums[0] += squares[0] + squares[1] / (dt * dt);
+        sums[1] += std::pow(extents.local_element(n), 2) *
+                   (squares[1] + largest_tau * largest_tau * squares[0]);
+      }
+    dealii::Utilities::MPI::sum(
+      sums, parts.space.mesh().triangulation().get_communicator(), sums);
+    for (unsigned int i = 0; i < 2; ++i)
+      scales[i] = sums[i] > 0. ? std::sqrt(sums[i]) : 1.;
+  }
+
+
+
+  THALWEG_INSTANTIATE(CoupledSystem)
+} // namespace Thalweg

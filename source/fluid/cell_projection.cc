@@ -229,17 +229,22 @@ namespace Thalweg
 
 
   template <int dim>
-  SolveReport
-  CellProjection<dim>::solve(const double       tolerance,
-                             const double       smallest_residual,
-                             const unsigned int maximum)
+  typename CellProjection<dim>::Iterations
+  CellProjection<dim>::iterate(const double       tolerance,
+                               const double       smallest_residual,
+                               const unsigned int maximum)
   {
     const Preconditioner preconditioner(*this);
-    SolveReport          report;
+    Iterations           result;
+    SolveReport         &report  = result.report;
     double               product = 0, energy = 0;
-    multiplier      = 0.;
-    report.residual = outflow.l2_norm();
-    while (report.residual > smallest_residual)
+    multiplier           = 0.;
+    report.residual      = outflow.l2_norm();
+    const double initial = report.residual;
+    double       least   = initial;
+    result.has_converged = report.residual <= smallest_residual;
+    while (!result.has_converged && report.iterations < maximum &&
+           report.residual <= incompatible * initial)
       {
         preconditioner.vmult(preconditioned, outflow);
         const double old_product = product;
@@ -254,15 +259,39 @@ namespace Thalweg
         energy += step * product;
         report.residual = outflow.l2_norm();
         ++report.iterations;
-        if (step * product <= tolerance * tolerance * energy)
-          break;
-        if (!(report.iterations < maximum))
-          throw StepFailure(
-            "The linear solver for the divergence did not converge: after " +
-            std::to_string(maximum) +
-            " iterations the velocity still changes by more than 'Divergence "
-            "tolerance' of its whole change.");
+        if (report.residual < least)
+          {
+            least       = report.residual;
+            result.best = report.iterations;
+          }
+        result.has_converged =
+          step * product <= tolerance * tolerance * energy ||
+          report.residual <= smallest_residual;
       }
+    return result;
+  }
+
+
+
+  template <int dim>
+  SolveReport
+  CellProjection<dim>::solve(const double       tolerance,
+                             const double       smallest_residual,
+                             const unsigned int maximum)
+  {
+    const Vector     load(outflow);
+    const Iterations all = iterate(tolerance, smallest_residual, maximum);
+    if (all.has_converged)
+      return all.report;
+    if (all.report.iterations == maximum)
+      throw StepFailure(
+        "The linear solver for the divergence did not converge: after " +
+        std::to_string(maximum) +
+        " iterations the velocity still changes by more than 'Divergence "
+        "tolerance' of its whole change.");
+    outflow.copy_locally_owned_data_from(load);
+    SolveReport report = iterate(0., smallest_residual, all.best).report;
+    report.iterations += all.report.iterations;
     return report;
   }
 

@@ -56,24 +56,6 @@ namespace Thalweg
 
   template <int dim>
   double
-  CoupledSystem<dim>::viscous_rate(const unsigned int cell) const
-  {
-    const int cut     = parts.phase.cut_index(cell);
-    double    density = 0.;
-    if (cut < 0)
-      density = parts.phase.fluid(cell).density;
-    else
-      for (const double mass : parts.phase.cut_cells()[cut].mass)
-        density += mass / parts.space.mesh().graph().cell(cell).measure;
-    // 1/h^2 is the mean over the directions of the cell.
-    return parts.viscous.cell_viscosity(cell).viscosity / density *
-           middle(cell).covariant.norm_square() / dim;
-  }
-
-
-
-  template <int dim>
-  double
   CoupledSystem<dim>::update(const double                  duration,
                              const double                  part_of_end,
                              const dealii::Tensor<2, dim> &turning)
@@ -83,15 +65,23 @@ namespace Thalweg
     deflection = turning;
     const unsigned int n_cells = parts.space.mesh().graph().n_owned_cells();
     taus.resize(n_cells);
+    impulse_times.resize(n_cells);
     rests.resize(n_cells);
     double largest = 0.;
     largest_tau    = 0.;
     for (unsigned int c = 0; c < n_cells; ++c)
       {
-        const double nu = viscous_rate(c);
-        taus[c]         = 1. / stabilization.rate(nu, 1. / dt);
-        rests[c]        = 1. - taus[c] / dt;
-        largest         = std::max(largest, nu * dt);
+        // 1/h^2 is the mean over the directions of the cell.
+        const double per_area = middle(c).covariant.norm_square() / dim;
+        const double rate =
+          parts.viscous.largest_kinematic_viscosity(c) * per_area;
+        impulse_times[c] = 1. / stabilization.rate(rate, 1. / dt);
+        rests[c]         = 1. - impulse_times[c] / dt;
+        taus[c]          = 1. / stabilization.rate(
+                        parts.viscous.kinematic_viscosity_of_lightest(c) *
+                          per_area,
+                        1. / dt);
+        largest          = std::max(largest, rate * dt);
         largest_tau     = std::max(largest_tau, taus[c]);
       }
     const MPI_Comm communicator =
@@ -262,7 +252,7 @@ namespace Thalweg
     work = 0.;
     find_balance(acceleration, work);
     add_stabilization(true, pressure);
-    parts.pressure.subtract_outflow(rate, taus, load);
+    parts.pressure.subtract_outflow(rate, impulse_times, load);
     work.copy_locally_owned_data_from(velocity_);
     work.add(1., lead);
     parts.space.interpolate(work, dim);

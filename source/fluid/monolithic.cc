@@ -48,11 +48,14 @@ namespace Thalweg
     const CoupledParts<dim> parts{
       *space, *boundary, *phase, *forces, *mass, *pressure_system, *viscous};
     velocity_block->initialize(*space, *boundary, *viscous);
-    schur_block->initialize(
-      {*space, *phase, *pressure_system, setup.viscosities});
     system = std::make_unique<CoupledSystem<dim>>(parts, *stabilization);
     preconditioner = std::make_unique<BlockPreconditioner<dim>>(
       parts, *system, *velocity_block, *schur_block);
+    schur_block->initialize({*space,
+                             *phase,
+                             *pressure_system,
+                             *viscous,
+                             system->stabilization_times()});
     initialize_coupled(*space, residual);
     initialize_coupled(*space, increment);
     space->initialize_velocity(whole_rate);

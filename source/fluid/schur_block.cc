@@ -71,39 +71,29 @@ namespace Thalweg
       }
 
     protected:
-      /// Adds int N_i^2 / mu, lumped, and int (N_j psi)^2 / mu.
+      /// Adds int N_i^2 / mu, lumped, and int (N_j psi)^2 / mu with what the
+      /// stabilization has of functions with a kink, which nodal values hardly
+      /// balance. What a pressure in a cut cell moves has to deform both
+      /// fluids.
       void
       add_masses(const unsigned int cell)
       {
-        const auto &graph    = parts->space.mesh().graph();
-        const auto  measures = integrals.node_measures(graph.cell(cell));
-        const auto &nodes    = parts->space.nodes(cell);
-        const int   index    = parts->phase.cut_index(cell);
-        if (index < 0)
-          {
-            const double mu =
-              parts->viscosities(parts->phase.fluid_number(cell), cell);
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              nodal(inverse_mass).local_element(nodes[i]) += measures[i] / mu;
-            return;
-          }
-        const CutCell<dim> &cut = parts->phase.cut_cells()[index];
-        for (unsigned int f = 0; f < 2; ++f)
-          {
-            const double part =
-              f == 0 ? cut.negative_fraction : 1. - cut.negative_fraction;
-            if (part <= 0.)
-              continue;
-            const double mu = parts->viscosities(f, cell);
-            for (unsigned int i = 0; i < nodes.size(); ++i)
-              {
-                nodal(inverse_mass).local_element(nodes[i]) +=
-                  part * measures[i] / mu;
-                if (cut.enriched && cut.star_mass[f][i] > 0.)
-                  star(inverse_mass).local_element(nodes[i]) +=
-                    cut.star_mass[f][i] / mu;
-              }
-          }
+        const double mu       = parts->viscous.cell_viscosity(cell).viscosity;
+        const auto  &graph    = parts->space.mesh().graph();
+        const auto   measures = integrals.node_measures(graph.cell(cell));
+        const auto  &nodes    = parts->space.nodes(cell);
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          nodal(inverse_mass).local_element(nodes[i]) += measures[i] / mu;
+        const int cut = parts->phase.cut_index(cell);
+        if (cut < 0 || !parts->phase.cut_cells()[cut].enriched)
+          return;
+        const CutCell<dim> &enriched = parts->phase.cut_cells()[cut];
+        const double        tau      = parts->stabilization_times[cell];
+        for (unsigned int i = 0; i < nodes.size(); ++i)
+          if (enriched.star_mass[i] > 0.)
+            star(inverse_mass).local_element(nodes[i]) +=
+              enriched.star_mass[i] / mu +
+              tau * enriched.laplace_star_star[i][i];
       }
 
       std::unique_ptr<Parts> parts;

@@ -54,6 +54,46 @@ namespace Thalweg
 
 
   template <int dim>
+  double
+  ViscousOperator<dim>::fluid_viscosity(const unsigned int fluid,
+                                        const unsigned int cell) const
+  {
+    return viscosities != nullptr && viscosities->are_set() ?
+             (*viscosities)(fluid, cell) :
+             phase.both_fluids()[fluid].viscosity;
+  }
+
+
+
+  template <int dim>
+  double
+  ViscousOperator<dim>::largest_kinematic_viscosity(
+    const unsigned int cell) const
+  {
+    const auto of_fluid = [&](const unsigned int fluid) {
+      return fluid_viscosity(fluid, cell) / phase.both_fluids()[fluid].density;
+    };
+    return phase.cut_index(cell) < 0 ? of_fluid(phase.fluid_number(cell)) :
+                                       std::max(of_fluid(0), of_fluid(1));
+  }
+
+
+
+  template <int dim>
+  double
+  ViscousOperator<dim>::kinematic_viscosity_of_lightest(
+    const unsigned int cell) const
+  {
+    const Fluids &fluids = phase.both_fluids();
+    return cell_viscosity(cell).viscosity /
+           (phase.cut_index(cell) < 0 ?
+              phase.fluid(cell).density :
+              std::min(fluids[0].density, fluids[1].density));
+  }
+
+
+
+  template <int dim>
   typename ViscousOperator<dim>::CellViscosity
   ViscousOperator<dim>::cell_viscosity(const unsigned int cell) const
   {

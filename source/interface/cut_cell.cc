@@ -33,7 +33,6 @@ namespace Thalweg
                    const double                          absolute_phi,
                    const dealii::Tensor<1, dim>         &absolute_gradient,
                    const double                          weight,
-                   const unsigned int                    fluid,
                    const double                          density)
     {
       constexpr unsigned int n        = 1 << dim;
@@ -60,7 +59,7 @@ namespace Thalweg
             }
           for (unsigned int j = 0; j <= i; ++j)
             cut.laplace_star_star[i][j] += inverse * (star[i] * star[j]);
-          cut.star_mass[fluid][i] +=
+          cut.star_mass[i] +=
             weight * point.values[i] * point.values[i] * psi * psi;
           cut.star_load[i] += weight * star[i];
           cut.star_inverse_load[i] += inverse * star[i];
@@ -188,7 +187,6 @@ namespace Thalweg
                                  sign * value,
                                  sign * (point.covariant * reference_gradient),
                                  weight,
-                                 negative ? 0 : 1,
                                  density);
               }
           });
@@ -229,7 +227,6 @@ namespace Thalweg
                            sign * piece.phi,
                            sign * gradient,
                            piece.measure,
-                           piece.negative ? 0 : 1,
                            density);
         });
     }

@@ -56,6 +56,9 @@ namespace Thalweg
         std::copy(space.modes[m].begin(),
                   space.modes[m].end(),
                   (*vectors)[m]);
+      // With a threshold the aggregates of a system fall apart where its
+      // coefficients jump by a factor of a million.
+      parameters.set("aggregation: threshold", 0.);
       parameters.set("PDE equations", static_cast<int>(space.n_components));
       parameters.set("null space: type", "pre-computed");
       parameters.set("null space: dimension",

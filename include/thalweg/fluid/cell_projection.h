@@ -87,8 +87,30 @@ namespace Thalweg
     void
     balance(Vector &y) const;
 
+    /// How iterations went.
+    struct Iterations
+    {
+      SolveReport  report;
+      unsigned int best          = 0; ///< after which the residual was least
+      bool         has_converged = false;
+    };
+
+    /// When the residual is so many times as large as it was at first, the
+    /// outflows have a part that no velocity can take away: velocities that
+    /// are given all around cells whose multipliers alternate and move nothing
+    /// may ask for one.
+    static constexpr double incompatible = 100.;
+
     /// Conjugate gradients for the multipliers of @ref outflow, which
-    /// becomes the residual.
+    /// becomes the residual; until it has converged, after @p maximum
+    /// iterations, or when it cannot converge.
+    Iterations
+    iterate(const double       tolerance,
+            const double       smallest_residual,
+            const unsigned int maximum);
+
+    /// Takes away what velocities can of @ref outflow, which becomes the
+    /// residual. @throws StepFailure
     SolveReport
     solve(const double       tolerance,
           const double       smallest_residual,

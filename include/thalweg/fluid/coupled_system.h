@@ -124,14 +124,17 @@ namespace Thalweg
       return theta;
     }
 
+    /// tau of the cells, s; those of the last update().
+    const std::vector<double> &
+    stabilization_times() const
+    {
+      return taus;
+    }
+
   private:
     /// The middle of a cell.
     Q1::Point<dim>
     middle(const unsigned int cell) const;
-
-    /// nu / h^2 in a cell, 1/s.
-    double
-    viscous_rate(const unsigned int cell) const;
 
     /// result = W (F - G p) for a given pressure, ghosted.
     void
@@ -174,7 +177,8 @@ namespace Thalweg
     double                      largest_tau = 1.;
     dealii::Tensor<2, dim>      deflection;
     std::array<double, 2>       scales{{1., 1.}};
-    std::vector<double>         taus;     ///< s dt of the cells, s
+    std::vector<double>         taus; ///< of the cells, s
+    std::vector<double>         impulse_times; ///< s dt of the cells, s
     std::vector<double>         rests;    ///< 1 - s of the cells
     Vector                      measures; ///< int N_i
     Vector                      extents;  ///< sum of int |grad N_i|

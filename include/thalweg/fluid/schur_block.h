@@ -3,8 +3,8 @@
 #define thalweg_fluid_schur_block_h
 
 #include <thalweg/core/registry.h>
-#include <thalweg/fluid/fluid_viscosities.h>
 #include <thalweg/fluid/pressure_system.h>
+#include <thalweg/fluid/viscous_operator.h>
 
 namespace Thalweg
 {
@@ -26,10 +26,12 @@ namespace Thalweg
     /// initialize().
     struct Parts
     {
-      const NodeSpace<dim>        &space;
-      const PhaseField<dim>       &phase;
-      const PressureSystem<dim>   &pressure;
-      const FluidViscosities<dim> &viscosities;
+      const NodeSpace<dim>       &space;
+      const PhaseField<dim>      &phase;
+      const PressureSystem<dim>  &pressure;
+      const ViscousOperator<dim> &viscous;
+      /// tau of the cells, s
+      const std::vector<double> &stabilization_times;
     };
 
     virtual void

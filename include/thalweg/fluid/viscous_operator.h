@@ -100,7 +100,19 @@ namespace Thalweg
     CellViscosity
     cell_viscosity(const unsigned int cell) const;
 
+    /// Of the fluids in a cell, m^2/s.
+    double
+    largest_kinematic_viscosity(const unsigned int cell) const;
+
+    /// The mean viscosity of a cell over the least density in it, m^2/s.
+    double
+    kinematic_viscosity_of_lightest(const unsigned int cell) const;
+
   private:
+    /// Pa s
+    double
+    fluid_viscosity(const unsigned int fluid, const unsigned int cell) const;
+
     const NodeSpace<dim>        &space;
     const BoundaryNodes<dim>    &boundary;
     const PhaseField<dim>       &phase;

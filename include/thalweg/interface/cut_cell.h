@@ -46,8 +46,8 @@ namespace Thalweg
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_divergence;
     /// [i][j]: int N_i grad(N_j psi)
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_gradient;
-    /// [f][j]: int (N_j psi)^2 in fluid f
-    std::array<PerVertex<double>, 2> star_mass;
+    /// [j]: int (N_j psi)^2
+    PerVertex<double> star_mass;
     /// [j]: int grad(N_j psi)
     PerVertex<dealii::Tensor<1, dim>> star_load;
     /// [j]: int grad(N_j psi) / rho

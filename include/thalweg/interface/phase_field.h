@@ -119,7 +119,14 @@ namespace Thalweg
       return fluids[fluid_of_cell[cell]];
     }
 
-    /// Its number.
+    /// What the phases are.
+    const Fluids &
+    both_fluids() const
+    {
+      return fluids;
+    }
+
+    /// The number of the fluid in an uncut cell.
     unsigned int
     fluid_number(const unsigned int cell) const
     {

@@ -30,27 +30,23 @@ namespace Thalweg
       initialize(const Parts &parts_) override
       {
         parts = std::make_unique<Parts>(parts_);
-        Thalweg::initialize(parts->space, inverse_mass);
+        Thalweg::initialize(parts->space, masses);
+        parts->space.initialize_scalar(mixed);
+        parts->space.initialize_scalar(own);
       }
 
       void
-      update(const double inverse_dt_, const double theta) override
+      update(const double inverse_dt_, const double theta_) override
       {
-        inverse_dt   = inverse_dt_;
-        inverse_mass = 0.;
+        inverse_dt = inverse_dt_;
+        theta      = theta_;
+        for (Vector *vector : {&nodal(masses), &star(masses), &mixed, &own})
+          *vector = 0.;
         for (unsigned int c = 0; c < parts->space.mesh().graph().n_owned_cells();
              ++c)
           add_masses(c);
-        for (unsigned int b = 0; b < inverse_mass.n_blocks(); ++b)
-          {
-            Vector &masses = inverse_mass.block(b);
-            parts->space.fold(masses, 1);
-            for (unsigned int n = 0; n < masses.locally_owned_size(); ++n)
-              {
-                double &value = masses.local_element(n);
-                value         = value > 0. ? theta / value : 0.;
-              }
-          }
+        for (Vector *vector : {&nodal(masses), &star(masses), &mixed, &own})
+          parts->space.fold(*vector, 1);
       }
 
       void
@@ -58,16 +54,26 @@ namespace Thalweg
             const EnrichedPressure &source) const override
       {
         parts->pressure.precondition(destination, source);
-        for (unsigned int b = 0; b < source.n_blocks(); ++b)
-          for (unsigned int n = 0;
-               n < source.block(b).locally_owned_size();
-               ++n)
-            {
-              double &value = destination.block(b).local_element(n);
-              value *= inverse_dt;
-              value += inverse_mass.block(b).local_element(n) *
-                       source.block(b).local_element(n);
-            }
+        for (unsigned int n = 0; n < own.locally_owned_size(); ++n)
+          {
+            double      &p = nodal(destination).local_element(n);
+            double      &q = star(destination).local_element(n);
+            const double r = nodal(source).local_element(n);
+            const double s = star(source).local_element(n);
+            p *= inverse_dt;
+            q *= inverse_dt;
+            if (theta == 0.)
+              continue;
+            if (const double S = star(masses).local_element(n); S > 0.)
+              {
+                const double N = own.local_element(n), M = mixed.local_element(n);
+                const double determinant = N * S - M * M;
+                p += theta * (S * r - M * s) / determinant;
+                q += theta * (N * s - M * r) / determinant;
+              }
+            else if (const double N = nodal(masses).local_element(n); N > 0.)
+              p += theta * r / N;
+          }
       }
 
     protected:
@@ -83,23 +89,35 @@ namespace Thalweg
         const auto   measures = integrals.node_measures(graph.cell(cell));
         const auto  &nodes    = parts->space.nodes(cell);
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          nodal(inverse_mass).local_element(nodes[i]) += measures[i] / mu;
+          {
+            nodal(masses).local_element(nodes[i]) += measures[i] / mu;
+            // of a parallelepiped
+            own.local_element(nodes[i]) +=
+              std::pow(1.5, -dim) * measures[i] / mu;
+          }
         const int cut = parts->phase.cut_index(cell);
         if (cut < 0 || !parts->phase.cut_cells()[cut].enriched)
           return;
         const CutCell<dim> &enriched = parts->phase.cut_cells()[cut];
         const double        tau      = parts->stabilization_times[cell];
         for (unsigned int i = 0; i < nodes.size(); ++i)
-          if (enriched.star_mass[i] > 0.)
-            star(inverse_mass).local_element(nodes[i]) +=
+          {
+            star(masses).local_element(nodes[i]) +=
               enriched.star_mass[i] / mu +
               tau * enriched.laplace_star_star[i][i];
+            mixed.local_element(nodes[i]) +=
+              enriched.mixed_mass[i] / mu + tau * enriched.laplace_star[i][i];
+            own.local_element(nodes[i]) += tau * enriched.laplace[i][i];
+          }
       }
 
       std::unique_ptr<Parts> parts;
       Q1Integrals<dim>       integrals;
-      double                 inverse_dt = 0.;
-      EnrichedPressure       inverse_mass;
+      double                 inverse_dt = 0., theta = 0.;
+      /// Of N_i, lumped, and of N_i psi.
+      EnrichedPressure masses;
+      /// Of both together, and of N_i by itself.
+      Vector mixed, own;
     };
 
 
@@ -112,8 +130,8 @@ namespace Thalweg
       void
       update(const double inverse_dt, const double) override
       {
-        this->inverse_dt   = inverse_dt;
-        this->inverse_mass = 0.;
+        this->inverse_dt = inverse_dt;
+        this->theta      = 0.;
       }
     };
   } // namespace

@@ -59,8 +59,9 @@ namespace Thalweg
             }
           for (unsigned int j = 0; j <= i; ++j)
             cut.laplace_star_star[i][j] += inverse * (star[i] * star[j]);
-          cut.star_mass[i] +=
-            weight * point.values[i] * point.values[i] * psi * psi;
+          const double square = weight * point.values[i] * point.values[i];
+          cut.star_mass[i] += square * psi * psi;
+          cut.mixed_mass[i] += square * psi;
           cut.star_load[i] += weight * star[i];
           cut.star_inverse_load[i] += inverse * star[i];
           kink[i] += value * absolute_gradient;

@@ -46,8 +46,8 @@ namespace Thalweg
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_divergence;
     /// [i][j]: int N_i grad(N_j psi)
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_gradient;
-    /// [j]: int (N_j psi)^2
-    PerVertex<double> star_mass;
+    /// [j]: int (N_j psi)^2, and int N_j^2 psi
+    PerVertex<double> star_mass, mixed_mass;
     /// [j]: int grad(N_j psi)
     PerVertex<dealii::Tensor<1, dim>> star_load;
     /// [j]: int grad(N_j psi) / rho

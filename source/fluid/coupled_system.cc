@@ -124,10 +124,13 @@ namespace Thalweg
   template <int dim>
   void
   CoupledSystem<dim>::find_friction(const Vector &velocity_,
-                                    const double  factor) const
+                                    const double  factor,
+                                    const bool    with_tangent) const
   {
     friction = 0.;
     parts.viscous.subtract_viscous_force(velocity_, friction);
+    if (with_tangent && tangent_factor > 0.)
+      parts.shear.subtract_tangent(velocity_, tangent_factor, friction);
     parts.space.fold(friction, dim);
     friction.zero_out_ghost_values();
     const Vector &inverse = parts.mass.inverse_lumped();
@@ -237,22 +240,29 @@ namespace Thalweg
   CoupledSystem<dim>::find_residual(const Vector           &velocity_,
                                     const Vector           &rate,
                                     const Vector           &lead,
+                                    const Vector           &change,
                                     const EnrichedPressure &pressure,
                                     CoupledFlow            &residual)
   {
     accelerate(pressure, acceleration);
-    find_friction(velocity_, 1.);
+    work.zero_out_ghost_values();
+    work.copy_locally_owned_data_from(velocity_);
+    work.add(theta, change);
+    parts.space.interpolate(work, dim);
+    find_friction(work, 1.);
     Vector &rows = velocity(residual);
     rows.copy_locally_owned_data_from(acceleration);
     rows.add(1., friction);
     finish_momentum(rows);
+    rows.add(-1. / (dt * scales[0]), change);
+    clear_dependent(rows);
 
     load = 0.;
-    work.zero_out_ghost_values();
-    work = 0.;
-    find_balance(acceleration, work);
+    parts.pressure.add_residual(change, false, nullptr, nullptr, load);
+    find_balance(acceleration, change);
     add_stabilization(true, pressure);
     parts.pressure.subtract_outflow(rate, impulse_times, load);
+    work.zero_out_ghost_values();
     work.copy_locally_owned_data_from(velocity_);
     work.add(1., lead);
     parts.space.interpolate(work, dim);
@@ -276,7 +286,7 @@ namespace Thalweg
     parts.space.interpolate(work, dim);
 
     find_gradient(pressure_work, acceleration);
-    find_friction(work, theta);
+    find_friction(work, theta, true);
     Vector &rows = velocity(result);
     rows.copy_locally_owned_data_from(acceleration);
     rows.add(1., friction);

@@ -43,10 +43,13 @@ namespace Thalweg
                                                             *boundary,
                                                             *mass,
                                                             *pressure_system);
+    shear           = std::make_unique<ShearViscosities<dim>>(*space,
+                                                    *phase,
+                                                    setup.viscosities);
     viscous         = std::make_unique<ViscousOperator<dim>>(*space,
                                                      *boundary,
                                                      *phase,
-                                                     &setup.viscosities);
+                                                     &shear->viscosities());
     Thalweg::initialize(*space, p);
     space->initialize_velocity(force);
     space->initialize_velocity(change);
@@ -67,6 +70,7 @@ namespace Thalweg
       mass->update();
       pressure_system->assemble();
       add_terms();
+      shear->update(v);
     }
     change.copy_locally_owned_data_from(v);
     v.copy_locally_owned_data_from(velocity_star);

@@ -37,6 +37,9 @@ namespace Thalweg
                   "Pa s",
                   "The fluid's dynamic viscosity.",
                   dealii::Patterns::Double());
+        rheologies[f].declare_parameters(fluid.enter("Rheology"),
+                                         "newton",
+                                         "law of the viscosity");
       }
   }
 

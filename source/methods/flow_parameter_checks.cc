@@ -62,6 +62,15 @@ namespace Thalweg
   {
     collect_fault(faults, [this]() { fluids.check(); });
     collect_fault(faults, [this]() {
+      AssertThrow(heeds_viscosities || !computes_flow ||
+                    !fluids.depend_on_shear(),
+                  dealii::ExcMessage(
+                    "'Fluids/.../Rheology/Model' says that a viscosity depends "
+                    "on the shear rate, which 'single fluid pfem2' does not "
+                    "heed. Choose the method 'pfem2', with 'Fluids/Number = 1' "
+                    "for one fluid, or the model 'newton'."));
+    });
+    collect_fault(faults, [this]() {
       parse_expression<dim>(initial_velocity, dim, initial + "Velocity");
     });
     collect_fault(faults, [this]() {

@@ -203,3 +203,25 @@ TYPED_TEST(CellProjectionMpi, FewIterationsDoWhateverTheDensities)
   EXPECT_LT(iterations[0], 25u);
   EXPECT_LT(iterations[1], iterations[0] + 10);
 }
+
+
+
+// Velocities that are given all around may ask for outflows that no velocity
+// inside has: what can be taken away is.
+TEST(CellProjectionMpi3d, EndsWhereGivenVelocitiesDoNotFit)
+{
+  std::string all = "Velocity = ";
+  for (const char *side : {"left", "right", "bottom", "top", "front", "back"})
+    all += std::string(all.back() == ' ' ? "" : " | ") + side +
+           ": sin(3*x)*cos(3*y)*cos(3*z); cos(3*x)*sin(3*y)*cos(3*z); "
+           "-2*cos(3*x)*cos(3*y)*sin(3*z)";
+  Projected<3> projected(hanging_box<3>(4) +
+                         section("Boundary conditions", {all}));
+  Vector       velocity;
+  projected.scene.space->initialize_velocity(velocity);
+  projected.scene.boundary->apply(velocity);
+  projected.scene.space->interpolate(velocity, 3);
+  const double before = projected.greatest_outflow(velocity);
+  projected.projection.project(velocity, 1e-2, 1000);
+  EXPECT_LT(projected.greatest_outflow(velocity), before);
+}

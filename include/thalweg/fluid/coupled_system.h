@@ -6,6 +6,7 @@
 #include <thalweg/fluid/coupled_stabilization.h>
 #include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/fluid/pressure_system.h>
+#include <thalweg/fluid/shear_viscosities.h>
 #include <thalweg/fluid/viscous_operator.h>
 
 namespace Thalweg
@@ -21,6 +22,7 @@ namespace Thalweg
     const NodalMass<dim>       &mass;
     const PressureSystem<dim>  &pressure;
     const ViscousOperator<dim> &viscous;
+    const ShearViscosities<dim> &shear;
   };
 
   /**
@@ -75,11 +77,20 @@ namespace Thalweg
     void
     find_scales(const Vector &velocity_, const EnrichedPressure &given);
 
+    /// How much of the change of viscosities by the velocity the matrix has:
+    /// 1 with Newton's method, else 0.
+    void
+    set_tangent(const double factor)
+    {
+      tangent_factor = factor;
+    }
+
     /**
-     * @brief What the equations lack with w = 0. Collective.
+     * @brief What the equations lack. Collective.
      * @param velocity_ V* with its boundary values, m/s, ghosted
      * @param rate r, m/s^2, ghosted
      * @param lead m/s, ghosted
+     * @param change w, m/s, ghosted
      * @param pressure with its values at open boundaries, ghosted
      * @param residual out
      */
@@ -87,6 +98,7 @@ namespace Thalweg
     find_residual(const Vector           &velocity_,
                   const Vector           &rate,
                   const Vector           &lead,
+                  const Vector           &change,
                   const EnrichedPressure &pressure,
                   CoupledFlow            &residual);
 
@@ -142,7 +154,9 @@ namespace Thalweg
 
     /// friction = -factor M^{-1} K velocity_, with free components only.
     void
-    find_friction(const Vector &velocity_, const double factor) const;
+    find_friction(const Vector &velocity_,
+                  const double  factor,
+                  const bool    with_tangent = false) const;
 
     /// Dependent nodes have no rows.
     void
@@ -173,7 +187,7 @@ namespace Thalweg
 
     const CoupledParts<dim>     parts;
     const CoupledStabilization &stabilization;
-    double                      dt = 1., theta = 1.;
+    double                      dt = 1., theta = 1., tangent_factor = 0.;
     double                      largest_tau = 1.;
     dealii::Tensor<2, dim>      deflection;
     std::array<double, 2>       scales{{1., 1.}};

@@ -7,6 +7,7 @@
 #include <thalweg/fluid/kinetic_budget.h>
 #include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/fluid/pressure_system.h>
+#include <thalweg/fluid/shear_viscosities.h>
 #include <thalweg/fluid/viscous_operator.h>
 
 namespace Thalweg
@@ -48,7 +49,8 @@ namespace Thalweg
     declare_common_parameters(const Section &section);
 
     /**
-     * @brief Reads the present phases and forces, and lets v begin with
+     * @brief Reads the present phases and forces, lets viscosities that depend
+     * on the shear rate be those of the last velocity, and lets v begin with
      * @p velocity_star, with what turning of the frame and the boundary
      * conditions make of it, and p with the last one.
      */
@@ -95,6 +97,7 @@ namespace Thalweg
     std::unique_ptr<NodalMass<dim>>       mass;
     std::unique_ptr<PressureSystem<dim>>  pressure_system;
     std::unique_ptr<KineticBudget<dim>>   budget;
+    std::unique_ptr<ShearViscosities<dim>> shear;
     std::unique_ptr<ViscousOperator<dim>> viscous;
     dealii::Tensor<2, dim>                deflection; ///< D of deflect()
     Vector                                force;

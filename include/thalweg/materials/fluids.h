@@ -3,13 +3,14 @@
 #define thalweg_materials_fluids_h
 
 #include <thalweg/core/section.h>
+#include <thalweg/materials/rheology.h>
 
 #include <string>
 #include <vector>
 
 namespace Thalweg
 {
-  /// A Newtonian, incompressible fluid.
+  /// An incompressible fluid.
   struct Fluid
   {
     std::string name;
@@ -47,6 +48,24 @@ namespace Thalweg
       return fluids[index];
     }
 
+    /// How the viscosity of fluid 0 or 1 depends on the shear rate; nullptr:
+    /// not at all.
+    const Rheology *
+    rheology(const unsigned int index) const
+    {
+      const Rheology *model =
+        rheologies[index].find(rheologies[index].model_name());
+      return model != nullptr && model->depends_on_shear() ? model : nullptr;
+    }
+
+    /// Whether it does in any of them.
+    bool
+    depend_on_shear() const
+    {
+      return rheology(0) != nullptr ||
+             (number == 2 && rheology(1) != nullptr);
+    }
+
     /// The number of the fluid called @p name.
     /// @throws dealii::ExcMessage, listing the fluids that exist
     unsigned int
@@ -75,8 +94,9 @@ namespace Thalweg
     }
 
   private:
-    unsigned int number = 2;
-    Fluid        fluids[2]{{"water", 1000., 1e-3}, {"air", 1.2, 1.8e-5}};
+    unsigned int     number = 2;
+    Fluid            fluids[2]{{"water", 1000., 1e-3}, {"air", 1.2, 1.8e-5}};
+    Choice<Rheology> rheologies[2];
   };
 } // namespace Thalweg
 

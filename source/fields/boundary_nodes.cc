@@ -93,6 +93,25 @@ namespace Thalweg
 
 
   template <int dim>
+  std::vector<bool>
+  BoundaryNodes<dim>::cells_with_given_nodes() const
+  {
+    Vector given;
+    space.initialize_scalar(given);
+    for (const auto &entry : fixed.all())
+      if (entry.directions.empty())
+        given.local_element(entry.node) = 1.;
+    space.interpolate(given, 1);
+    std::vector<bool> cells(space.mesh().graph().n_owned_cells());
+    for (unsigned int c = 0; c < cells.size(); ++c)
+      for (const unsigned int node : space.nodes(c))
+        cells[c] = cells[c] || given.local_element(node) == 1.;
+    return cells;
+  }
+
+
+
+  template <int dim>
   void
   BoundaryNodes<dim>::collect_faces()
   {

@@ -44,6 +44,7 @@ namespace Thalweg
                                                             *mass,
                                                             *pressure_system);
     shear           = std::make_unique<ShearViscosities<dim>>(*space,
+                                                    *boundary,
                                                     *phase,
                                                     setup.viscosities);
     viscous         = std::make_unique<ViscousOperator<dim>>(*space,

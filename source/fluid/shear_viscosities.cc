@@ -25,12 +25,14 @@ namespace Thalweg
 
   template <int dim>
   ShearViscosities<dim>::ShearViscosities(const NodeSpace<dim>        &space,
+                                          const BoundaryNodes<dim>    &boundary,
                                           const PhaseField<dim>       &phase,
                                           const FluidViscosities<dim> &given)
     : space(space)
     , phase(phase)
     , given(given)
     , is_active(phase.both_fluids().depend_on_shear())
+    , at_wall(boundary.cells_with_given_nodes())
     , middle_gradients(
         Q1::reference_gradients<dim>(middle_of_reference_cell<dim>()))
     , middle_values(Q1::values<dim>(middle_of_reference_cell<dim>()))
@@ -70,7 +72,7 @@ namespace Thalweg
                                     const unsigned int            cell) const
   {
     const int index = phase.cut_index(cell);
-    if (index < 0)
+    if (index < 0 || at_wall[cell])
       return std::sqrt(.5) * twice_rate.norm();
     const CutCell<dim>         &cut  = phase.cut_cells()[index];
     const auto                 &last = viscosities();

@@ -15,6 +15,7 @@ namespace Thalweg
     , boundary(boundary)
     , phase(phase)
     , viscosities(viscosities)
+    , at_wall(boundary.cells_with_given_nodes())
   {
     space.initialize_velocity(work);
     space.initialize_velocity(diagonal.inverse_diagonal);
@@ -105,6 +106,13 @@ namespace Thalweg
               0.,
               nullptr};
     const CutCell<dim> &cut = phase.cut_cells()[cut_index];
+    if (at_wall[cell])
+      return {are_set ? arithmetic_mean(cut.negative_fraction,
+                                        {{(*viscosities)(0, cell),
+                                          (*viscosities)(1, cell)}}) :
+                        cut.arithmetic_viscosity,
+              0.,
+              nullptr};
     if (!are_set)
       return {cut.arithmetic_viscosity, cut.harmonic_viscosity, &cut};
     const std::array<double, 2> both{

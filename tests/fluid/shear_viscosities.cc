@@ -55,7 +55,10 @@ TYPED_TEST(ShearViscositiesMpi, AreThoseOfTheShearRate)
   scene.set_phases([](const auto &) { return -1.; });
   FluidViscosities<dim> given;
   given.attach(*scene.space, scene.fluids);
-  ShearViscosities<dim> shear(*scene.space, *scene.phase, given);
+  ShearViscosities<dim> shear(*scene.space,
+                                    *scene.boundary,
+                                    *scene.phase,
+                                    given);
   ASSERT_TRUE(shear.depend_on_shear());
   shear.update(scene.velocity([](const auto &x) {
     dealii::Tensor<1, dim> u;
@@ -75,7 +78,10 @@ TEST(ShearViscosities, InCutCellsAreThoseOfALaminate)
   scene.set_phases([](const auto &x) { return x[1] - .5; });
   FluidViscosities<2> given;
   given.attach(*scene.space, scene.fluids);
-  ShearViscosities<2> shear(*scene.space, *scene.phase, given);
+  ShearViscosities<2> shear(*scene.space,
+                                    *scene.boundary,
+                                    *scene.phase,
+                                    given);
   const Vector        u = scene.velocity([](const auto &x) {
     dealii::Tensor<1, 2> u;
     u[0] = 4. * x[1];
@@ -102,7 +108,10 @@ TYPED_TEST(ShearViscositiesMpi, KnowTheirDerivative)
   scene.set_phases([](const auto &) { return -1.; });
   FluidViscosities<dim> given;
   given.attach(*scene.space, scene.fluids);
-  ShearViscosities<dim>      shear(*scene.space, *scene.phase, given);
+  ShearViscosities<dim>      shear(*scene.space,
+                                    *scene.boundary,
+                                    *scene.phase,
+                                    given);
   const ViscousOperator<dim> viscous(*scene.space,
                                      *scene.boundary,
                                      *scene.phase,

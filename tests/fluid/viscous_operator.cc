@@ -272,3 +272,26 @@ TYPED_TEST(ViscousOperatorMpi, JacobiHasTheRealDiagonal)
         }
     }
 }
+
+
+
+// A film beside a wall to which fluid sticks does not lubricate what is above
+// it, as long as it is thinner than a cell.
+TYPED_TEST(ViscousOperatorMpi, FilmsAtWallsDoNotLubricate)
+{
+  const auto work = [](const std::string &condition) {
+    constexpr int dim   = TypeParam::value;
+    const auto    scene = layers<dim>(
+      unit_box<dim>(4) + section("Boundary conditions", {condition}), .1);
+    const Vector u = scene->velocity([](const auto &p) {
+      dealii::Tensor<1, dim> v;
+      v[0] = p[1];
+      return v;
+    });
+    return -(u * viscous_force(*scene, u));
+  };
+  // mu_1 up to 0.1
+  const double lowest = (.4 * mu_1 + .6 * mu_2) / 4.;
+  EXPECT_NEAR(work("No slip = bottom"), lowest + .75 * mu_2, 1e-12);
+  EXPECT_LT(work("Slip = bottom"), .2 * lowest + .75 * mu_2);
+}

@@ -58,6 +58,11 @@ namespace Thalweg
     void
     add_flux(const Vector &field, const double factor, Vector &scalar) const;
 
+    /// Of each owned cell: whether the velocity is given as a whole at one of
+    /// its nodes or more, as where fluid sticks. Collective.
+    std::vector<bool>
+    cells_with_given_nodes() const;
+
     using Face = BoundaryFace<dim>;
 
     /// The faces of locally owned cells at boundaries where fluid can pass.

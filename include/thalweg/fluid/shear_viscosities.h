@@ -2,6 +2,7 @@
 #ifndef thalweg_fluid_shear_viscosities_h
 #define thalweg_fluid_shear_viscosities_h
 
+#include <thalweg/fields/boundary_nodes.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/fluid/fluid_viscosities.h>
 #include <thalweg/interface/phase_field.h>
@@ -14,7 +15,8 @@ namespace Thalweg
    * velocity gradient in its middle.
    *
    * In cut cells the fluids form a laminate: the shear across the interface is
-   * that with which both have the same shear stress.
+   * that with which both have the same shear stress, but for cells where fluid
+   * sticks to a wall, see ViscousOperator.
    */
   template <int dim>
   class ShearViscosities
@@ -22,6 +24,7 @@ namespace Thalweg
   public:
     /// All must outlive the object.
     ShearViscosities(const NodeSpace<dim>        &space,
+                     const BoundaryNodes<dim>    &boundary,
                      const PhaseField<dim>       &phase,
                      const FluidViscosities<dim> &given);
 
@@ -76,6 +79,7 @@ namespace Thalweg
     const PhaseField<dim>       &phase;
     const FluidViscosities<dim> &given;
     const bool                   is_active;
+    const std::vector<bool>      at_wall;
     FluidViscosities<dim>        own;
     Q1::Gauss<dim>               gauss;
     /// The velocity at the last update(), and of uncut cells d mu / d rate^2.

@@ -17,6 +17,9 @@ namespace Thalweg
    * M is lumped; K has the full symmetric stress, int 2 mu eps(u) : eps(v).
    * In cut cells the fluids form a laminate: shear across the interface
    * sees the harmonic mean of the viscosities, all else the arithmetic one.
+   * Where fluid sticks to a wall it does too: a film of the lighter fluid under
+   * a heavier one that rolls over it is thinner than the mesh can show, and
+   * would let a paste slide over the floor.
    * Fixed velocity components are projected out, so the operator is
    * symmetric and positive definite on what remains.
    */
@@ -117,6 +120,7 @@ namespace Thalweg
     const BoundaryNodes<dim>    &boundary;
     const PhaseField<dim>       &phase;
     const FluidViscosities<dim> *viscosities;
+    const std::vector<bool>      at_wall; ///< cells where fluid sticks
     Q1::Gauss<dim>               gauss;
     const Vector                *mass = nullptr;
     double                       dt   = 1.;

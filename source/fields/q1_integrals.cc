@@ -102,20 +102,18 @@ namespace Thalweg
                 scale[d] * divergence_table[j][i][d] * velocity[dim * j + d];
         return;
       }
-    for_each_point<dim>(gauss,
-                        cell,
-                        [&](const auto  &values,
-                            const auto  &gradients,
-                            const double weight) {
-                          double divergence = 0.;
-                          for (unsigned int j = 0; j < n_vertices; ++j)
-                            for (unsigned int d = 0; d < dim; ++d)
-                              divergence +=
-                                gradients[j][d] * velocity[dim * j + d];
-                          divergence *= factor * weight;
-                          for (unsigned int i = 0; i < n_vertices; ++i)
-                            result[i] += values[i] * divergence;
-                        });
+    for_each_point<dim>(
+      gauss,
+      cell,
+      [&](const auto &values, const auto &gradients, const double weight) {
+        double divergence = 0.;
+        for (unsigned int j = 0; j < n_vertices; ++j)
+          for (unsigned int d = 0; d < dim; ++d)
+            divergence += gradients[j][d] * velocity[dim * j + d];
+        divergence *= factor * weight;
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          result[i] += values[i] * divergence;
+      });
   }
 
 

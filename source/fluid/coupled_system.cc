@@ -60,9 +60,9 @@ namespace Thalweg
                              const double                  part_of_end,
                              const dealii::Tensor<2, dim> &turning)
   {
-    dt         = duration;
-    theta      = part_of_end;
-    deflection = turning;
+    dt                         = duration;
+    theta                      = part_of_end;
+    deflection                 = turning;
     const unsigned int n_cells = parts.space.mesh().graph().n_owned_cells();
     taus.resize(n_cells);
     impulse_times.resize(n_cells);
@@ -77,12 +77,13 @@ namespace Thalweg
           parts.viscous.largest_kinematic_viscosity(c) * per_area;
         impulse_times[c] = 1. / stabilization.rate(rate, 1. / dt);
         rests[c]         = 1. - impulse_times[c] / dt;
-        taus[c]          = 1. / stabilization.rate(
-                        parts.viscous.kinematic_viscosity_of_lightest(c) *
-                          per_area,
-                        1. / dt);
-        largest          = std::max(largest, rate * dt);
-        largest_tau     = std::max(largest_tau, taus[c]);
+        taus[c] =
+          1. /
+          stabilization.rate(parts.viscous.kinematic_viscosity_of_lightest(c) *
+                               per_area,
+                             1. / dt);
+        largest     = std::max(largest, rate * dt);
+        largest_tau = std::max(largest_tau, taus[c]);
       }
     const MPI_Comm communicator =
       parts.space.mesh().triangulation().get_communicator();

@@ -64,13 +64,20 @@ namespace Thalweg
   Monolithic<dim>::initialize(const FlowSetup<dim> &setup)
   {
     EnrichedFlow<dim>::initialize(setup);
-    const CoupledParts<dim> parts{
-      *space, *boundary, *phase, *forces, *mass, *pressure_system, *viscous,
-      *shear};
+    const CoupledParts<dim> parts{*space,
+                                  *boundary,
+                                  *phase,
+                                  *forces,
+                                  *mass,
+                                  *pressure_system,
+                                  *viscous,
+                                  *shear};
     velocity_block->initialize(*space, *boundary, *viscous);
     system = std::make_unique<CoupledSystem<dim>>(parts, *stabilization);
-    preconditioner = std::make_unique<BlockPreconditioner<dim>>(
-      parts, *system, *velocity_block, *schur_block);
+    preconditioner = std::make_unique<BlockPreconditioner<dim>>(parts,
+                                                                *system,
+                                                                *velocity_block,
+                                                                *schur_block);
     schur_block->initialize({*space,
                              *phase,
                              *pressure_system,
@@ -178,15 +185,15 @@ namespace Thalweg
                                 const unsigned int maximum)
   {
     increment = 0.;
-    const SolveReport report = run_solver(
-      linear_tolerance,
-      maximum,
-      "coupled flow",
-      [this](dealii::SolverControl &control) {
-        using Solver = dealii::SolverFGMRES<CoupledFlow>;
-        Solver(control, typename Solver::AdditionalData(basis_size))
-          .solve(*system, increment, residual, *preconditioner);
-      });
+    const SolveReport report =
+      run_solver(linear_tolerance,
+                 maximum,
+                 "coupled flow",
+                 [this](dealii::SolverControl &control) {
+                   using Solver = dealii::SolverFGMRES<CoupledFlow>;
+                   Solver(control, typename Solver::AdditionalData(basis_size))
+                     .solve(*system, increment, residual, *preconditioner);
+                 });
     context->statistics.add("coupled iterations", report.iterations);
     context->statistics.set("coupled residual", report.residual);
   }
@@ -231,11 +238,10 @@ namespace Thalweg
   Monolithic<dim>::solve_nonlinear(const double duration)
   {
     dealii::TimerOutput::Scope scope(context->timers, "coupled flow");
-    const bool   is_linear = !shear->depend_on_shear();
-    double       norm      = find_residual();
-    unsigned int i         = 0;
-    while (i == 0 ||
-           (i < nonlinear_iterations && norm > nonlinear_tolerance))
+    const bool                 is_linear = !shear->depend_on_shear();
+    double                     norm      = find_residual();
+    unsigned int               i         = 0;
+    while (i == 0 || (i < nonlinear_iterations && norm > nonlinear_tolerance))
       {
         update_blocks(duration);
         ++i;
@@ -254,7 +260,8 @@ namespace Thalweg
       {
         has_warned = true;
         context->log.warning(
-          "The viscosities that depend on the shear rate are not found: after " +
+          "The viscosities that depend on the shear rate are not found: "
+          "after " +
           std::to_string(i) + " iterations the residual is " +
           std::to_string(norm) +
           ". See 'rheology residual' in the statistics; shorter steps, a "

@@ -19,9 +19,7 @@ namespace Thalweg
           sums[dim] += 1.;
         }
       dealii::Utilities::MPI::sum(
-        sums,
-        space.mesh().triangulation().get_communicator(),
-        sums);
+        sums, space.mesh().triangulation().get_communicator(), sums);
       dealii::Point<dim> middle;
       for (unsigned int d = 0; d < dim; ++d)
         middle[d] = sums[d] / sums[dim];
@@ -35,9 +33,9 @@ namespace Thalweg
   std::vector<std::vector<double>>
   rigid_motions(const NodeSpace<dim> &space)
   {
-    constexpr unsigned int n_rotations = dim == 2 ? 1 : 3;
-    const auto             middle      = middle_of_nodes(space);
-    const unsigned int     n_values    = dim * space.n_owned_nodes();
+    constexpr unsigned int           n_rotations = dim == 2 ? 1 : 3;
+    const auto                       middle      = middle_of_nodes(space);
+    const unsigned int               n_values    = dim * space.n_owned_nodes();
     std::vector<std::vector<double>> modes(dim + n_rotations,
                                            std::vector<double>(n_values, 0.));
     for (unsigned int n = 0; n < space.n_owned_nodes(); ++n)

@@ -204,8 +204,7 @@ namespace Thalweg
       {
         Load       load;
         const auto u = gather_velocity<dim>(field, space.nodes(c));
-        integrals.add_outflow(
-          space.mesh().graph().cell(c), u, -1., load.nodal);
+        integrals.add_outflow(space.mesh().graph().cell(c), u, -1., load.nodal);
         subtract_star_outflow(c, u, load);
         add(c, load, cell_factors[c], all);
       }

@@ -42,7 +42,8 @@ namespace Thalweg
         theta      = theta_;
         for (Vector *vector : {&nodal(masses), &star(masses), &mixed, &own})
           *vector = 0.;
-        for (unsigned int c = 0; c < parts->space.mesh().graph().n_owned_cells();
+        for (unsigned int c = 0;
+             c < parts->space.mesh().graph().n_owned_cells();
              ++c)
           add_masses(c);
         for (Vector *vector : {&nodal(masses), &star(masses), &mixed, &own})
@@ -66,7 +67,8 @@ namespace Thalweg
               continue;
             if (const double S = star(masses).local_element(n); S > 0.)
               {
-                const double N = own.local_element(n), M = mixed.local_element(n);
+                const double N           = own.local_element(n),
+                             M           = mixed.local_element(n);
                 const double determinant = N * S - M * M;
                 p += theta * (S * r - M * s) / determinant;
                 q += theta * (N * s - M * r) / determinant;

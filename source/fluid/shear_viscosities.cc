@@ -78,15 +78,15 @@ namespace Thalweg
     const auto                 &last = viscosities();
     const std::array<double, 2> both{{last(0, cell), last(1, cell)}};
     const double                share =
-      both[fluid] > 0. ?
-        harmonic_mean(cut.negative_fraction, both) / both[fluid] :
-        1.;
+      both[fluid] > 0.
+                       ? harmonic_mean(cut.negative_fraction, both) / both[fluid]
+                       : 1.;
     const auto traction = twice_rate * cut.normal;
     const auto shear    = traction - (traction * cut.normal) * cut.normal;
-    return std::sqrt(.5) * (twice_rate -
-                            (1. - share) * (outer_product(shear, cut.normal) +
-                                            outer_product(cut.normal, shear)))
-                             .norm();
+    return std::sqrt(.5) *
+           (twice_rate - (1. - share) * (outer_product(shear, cut.normal) +
+                                         outer_product(cut.normal, shear)))
+             .norm();
   }
 
 

@@ -82,9 +82,8 @@ namespace Thalweg
       update(const double) override
       {
         if (!matrix)
-          matrix = std::make_unique<VelocityMatrix<dim>>(*space,
-                                                         *boundary,
-                                                         *viscous);
+          matrix =
+            std::make_unique<VelocityMatrix<dim>>(*space, *boundary, *viscous);
         matrix->assemble();
         set_up(matrix->matrix());
       }
@@ -215,9 +214,9 @@ namespace Thalweg
       update(const double fourier_number) override
       {
         constexpr double largest_for_jacobi = 4.;
-        chosen = fourier_number > largest_for_jacobi ?
-                   static_cast<VelocityBlock<dim> *>(&amg) :
-                   &jacobi;
+        chosen = fourier_number > largest_for_jacobi
+                   ? static_cast<VelocityBlock<dim> *>(&amg)
+                   : &jacobi;
         chosen->update(fourier_number);
       }
 

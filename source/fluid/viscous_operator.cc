@@ -59,9 +59,9 @@ namespace Thalweg
   ViscousOperator<dim>::fluid_viscosity(const unsigned int fluid,
                                         const unsigned int cell) const
   {
-    return viscosities != nullptr && viscosities->are_set() ?
-             (*viscosities)(fluid, cell) :
-             phase.both_fluids()[fluid].viscosity;
+    return viscosities != nullptr && viscosities->are_set()
+             ? (*viscosities)(fluid, cell)
+             : phase.both_fluids()[fluid].viscosity;
   }
 
 
@@ -74,8 +74,8 @@ namespace Thalweg
     const auto of_fluid = [&](const unsigned int fluid) {
       return fluid_viscosity(fluid, cell) / phase.both_fluids()[fluid].density;
     };
-    return phase.cut_index(cell) < 0 ? of_fluid(phase.fluid_number(cell)) :
-                                       std::max(of_fluid(0), of_fluid(1));
+    return phase.cut_index(cell) < 0 ? of_fluid(phase.fluid_number(cell))
+                                     : std::max(of_fluid(0), of_fluid(1));
   }
 
 
@@ -87,9 +87,9 @@ namespace Thalweg
   {
     const Fluids &fluids = phase.both_fluids();
     return cell_viscosity(cell).viscosity /
-           (phase.cut_index(cell) < 0 ?
-              phase.fluid(cell).density :
-              std::min(fluids[0].density, fluids[1].density));
+           (phase.cut_index(cell) < 0
+              ? phase.fluid(cell).density
+              : std::min(fluids[0].density, fluids[1].density));
   }
 
 
@@ -109,8 +109,8 @@ namespace Thalweg
     if (at_wall[cell])
       return {are_set ? arithmetic_mean(cut.negative_fraction,
                                         {{(*viscosities)(0, cell),
-                                          (*viscosities)(1, cell)}}) :
-                        cut.arithmetic_viscosity,
+                                          (*viscosities)(1, cell)}})
+                      : cut.arithmetic_viscosity,
               0.,
               nullptr};
     if (!are_set)
@@ -132,7 +132,7 @@ namespace Thalweg
     CellMatrix          matrix{};
     for (unsigned int q = 0; q < gauss.n_points; ++q)
       {
-        const auto point = gauss.evaluate(space.mesh().graph().cell(cell), q);
+        const auto   point = gauss.evaluate(space.mesh().graph().cell(cell), q);
         const double weight = gauss.weight * point.determinant;
         for (unsigned int j = 0; j < n_cell_values; ++j)
           {

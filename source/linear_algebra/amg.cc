@@ -45,17 +45,16 @@ namespace Thalweg
     void
     set_near_null_space(const NearNullSpace                          &space,
                         const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                        Teuchos::ParameterList                       &parameters,
-                        std::unique_ptr<Epetra_MultiVector>          &vectors)
+                        Teuchos::ParameterList              &parameters,
+                        std::unique_ptr<Epetra_MultiVector> &vectors)
     {
       if (space.modes.empty())
         return;
-      vectors = std::make_unique<Epetra_MultiVector>(
-        matrix.trilinos_matrix().RowMap(), space.modes.size());
+      vectors =
+        std::make_unique<Epetra_MultiVector>(matrix.trilinos_matrix().RowMap(),
+                                             space.modes.size());
       for (unsigned int m = 0; m < space.modes.size(); ++m)
-        std::copy(space.modes[m].begin(),
-                  space.modes[m].end(),
-                  (*vectors)[m]);
+        std::copy(space.modes[m].begin(), space.modes[m].end(), (*vectors)[m]);
       // With a threshold the aggregates of a system fall apart where its
       // coefficients jump by a factor of a million.
       parameters.set("aggregation: threshold", 0.);

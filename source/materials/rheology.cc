@@ -32,10 +32,7 @@ namespace Thalweg
 
     /// mu = K g^(n - 1) for g = sqrt(rate^2 + g_0^2).
     Rheology::Value
-    power(const double rate,
-          const double least,
-          const double K,
-          const double n)
+    power(const double rate, const double least, const double K, const double n)
     {
       const double square    = rate * rate + least * least;
       const double viscosity = K * std::pow(square, .5 * (n - 1.));
@@ -98,12 +95,13 @@ namespace Thalweg
       void
       declare_parameters(const Section &section) override
       {
-        section.add("Exponent",
-                    exponent,
-                    "",
-                    "n in mu = mu_oo + (mu_0 - mu_oo) (1 + (lambda rate)^2)^((n "
-                    "- 1)/2), where mu_0 is the fluid's 'Viscosity'.",
-                    dealii::Patterns::Double(1e-3, 10.));
+        section.add(
+          "Exponent",
+          exponent,
+          "",
+          "n in mu = mu_oo + (mu_0 - mu_oo) (1 + (lambda rate)^2)^((n "
+          "- 1)/2), where mu_0 is the fluid's 'Viscosity'.",
+          dealii::Patterns::Double(1e-3, 10.));
         section.add("Relaxation time",
                     time,
                     "s",

@@ -29,12 +29,10 @@ namespace
       }
     else
       {
-        u[0] =
-          std::sin(3. * x[0]) * std::cos(3. * x[1]) * std::cos(3. * x[2]);
-        u[1] =
-          std::cos(3. * x[0]) * std::sin(3. * x[1]) * std::cos(3. * x[2]);
-        u[2] = -2. * std::cos(3. * x[0]) * std::cos(3. * x[1]) *
-               std::sin(3. * x[2]);
+        u[0] = std::sin(3. * x[0]) * std::cos(3. * x[1]) * std::cos(3. * x[2]);
+        u[1] = std::cos(3. * x[0]) * std::sin(3. * x[1]) * std::cos(3. * x[2]);
+        u[2] =
+          -2. * std::cos(3. * x[0]) * std::cos(3. * x[1]) * std::sin(3. * x[2]);
       }
     return u;
   }
@@ -64,12 +62,12 @@ namespace
   {
     std::string velocity = "Velocity = ";
     for (const char *side : {"left", "right", "bottom", "top", "front", "back"})
-      if (dim == 3 || (side != std::string("front") &&
-                       side != std::string("back")))
+      if (dim == 3 ||
+          (side != std::string("front") && side != std::string("back")))
         velocity += (velocity.back() == ' ' ? "" : " | ") + std::string(side) +
                     ": " + eddies_as_text<dim>();
     const std::string factor = std::to_string(mu * 9. * dim) + "*";
-    std::string force;
+    std::string       force;
     if (dim == 2)
       force = factor + "sin(3*x)*cos(3*y) - 2*sin(2*x)*sin(3*y); -" + factor +
               "cos(3*x)*sin(3*y) + 3*cos(2*x)*cos(3*y)";
@@ -111,16 +109,14 @@ TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
   constexpr int dim = TypeParam::value;
   const auto    run = [](const std::string &settings) {
     constexpr int    dim = TypeParam::value;
-    SolverScene<dim> scene(hanging_box<dim>(dim == 2 ? 8 : 4) +
-                             two_fluids(10., 1., 1., .1) +
-                             section("Body forces",
-                                     {dim == 2 ? "Gravity = 0, -1" :
-                                                 "Gravity = 0, 0, -1"}),
-                           "monolithic",
-                           "set Tolerance = 1e-11\n" + settings);
-    scene.initialize([](const dealii::Point<dim> &x) {
-      return x[dim - 1] - .43 + .3 * x[0];
-    });
+    SolverScene<dim> scene(
+      hanging_box<dim>(dim == 2 ? 8 : 4) + two_fluids(10., 1., 1., .1) +
+        section("Body forces",
+                {dim == 2 ? "Gravity = 0, -1" : "Gravity = 0, 0, -1"}),
+      "monolithic",
+      "set Tolerance = 1e-11\n" + settings);
+    scene.initialize(
+      [](const dealii::Point<dim> &x) { return x[dim - 1] - .43 + .3 * x[0]; });
     scene.step(scene.velocity(eddies<dim>), .1);
     double sum = 0.;
     scene.for_each_node([&](const unsigned int n, const auto &x) {
@@ -128,11 +124,10 @@ TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
     });
     return sum_of_all(sum);
   };
-  const double reference =
-    run(section("Velocity block", {"Model = direct"}));
+  const double reference = run(section("Velocity block", {"Model = direct"}));
   for (const char *name : {"jacobi", "amg", "ilu"})
-    EXPECT_NEAR(run(section("Velocity block",
-                            {"Model = " + std::string(name)})),
+    EXPECT_NEAR(run(
+                  section("Velocity block", {"Model = " + std::string(name)})),
                 reference,
                 1e-6 * std::abs(reference))
       << name;
@@ -141,8 +136,7 @@ TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
               reference,
               1e-6 * std::abs(reference));
   for (const char *name : {"pspg", "fic"})
-    EXPECT_NEAR(run(section("Stabilization",
-                            {"Model = " + std::string(name)})),
+    EXPECT_NEAR(run(section("Stabilization", {"Model = " + std::string(name)})),
                 reference,
                 .3 * std::abs(reference))
       << name;
@@ -153,19 +147,18 @@ TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
 TYPED_TEST(MonolithicMpi, NeedsFewIterationsWhateverTheFluids)
 {
   constexpr int dim = TypeParam::value;
-  for (const auto &[rho, mu_1, mu_2] :
-       {std::make_tuple(1., 1., 1.),
-        std::make_tuple(1., 1e6, 1.),
-        std::make_tuple(1., 1., 1e6),
-        std::make_tuple(1000., 1e-3, 1e-5),
-        std::make_tuple(1000., 1e3, 1e-3)})
+  for (const auto &[rho, mu_1, mu_2] : {std::make_tuple(1., 1., 1.),
+                                        std::make_tuple(1., 1e6, 1.),
+                                        std::make_tuple(1., 1., 1e6),
+                                        std::make_tuple(1000., 1e-3, 1e-5),
+                                        std::make_tuple(1000., 1e3, 1e-3)})
     for (const double dt : {1e-3, .1})
       {
         SolverScene<dim> scene(unit_box<dim>(dim == 2 ? 16 : 6) +
                                  two_fluids(rho, 1., mu_1, mu_2) +
                                  section("Body forces",
-                                         {dim == 2 ? "Gravity = 0, -9.81" :
-                                                     "Gravity = 0, 0, -9.81"}),
+                                         {dim == 2 ? "Gravity = 0, -9.81"
+                                                   : "Gravity = 0, 0, -9.81"}),
                                "monolithic");
         scene.initialize([](const dealii::Point<dim> &x) {
           return x[dim - 1] - .613 + .3 * x[0];
@@ -184,23 +177,22 @@ TEST(MonolithicMpi2d, SteadyLayersOfTwoViscositiesAreExactAtTheNodes)
 {
   for (const double ratio : {1., 1e3, 1e6})
     {
-      SolverScene<2> scene(unit_box<2>(15, "0", {"Periodic boundaries = left:right"}) +
-                             two_fluids(1., 1., ratio, 1.) +
-                             section("Body forces", {"Force density = 1; 0"}) +
-                             section("Boundary conditions",
-                                     {"No slip = bottom, top"}),
-                           "monolithic",
-                           "set Tolerance = 1e-12\n");
+      SolverScene<2> scene(
+        unit_box<2>(15, "0", {"Periodic boundaries = left:right"}) +
+          two_fluids(1., 1., ratio, 1.) +
+          section("Body forces", {"Force density = 1; 0"}) +
+          section("Boundary conditions", {"No slip = bottom, top"}),
+        "monolithic",
+        "set Tolerance = 1e-12\n");
       scene.initialize([](const auto &x) { return x[1] - .5; });
       scene.find_steady_flow();
       // stress s_0 - y, velocity zero at the walls and the same at y = 1/2
-      const double s =
-        (.125 / ratio + .375) / (.5 / ratio + .5);
+      const double s = (.125 / ratio + .375) / (.5 / ratio + .5);
       EXPECT_LT(scene.velocity_error([&](const auto &x) {
         dealii::Tensor<1, 2> u;
         const double         y = x[1];
-        u[0] = y < .5 ? (s * y - .5 * y * y) / ratio :
-                        s * (y - 1.) - .5 * (y * y - 1.);
+        u[0]                   = y < .5 ? (s * y - .5 * y * y) / ratio
+                                        : s * (y - 1.) - .5 * (y * y - 1.);
         return u;
       }),
                 2e-3);

@@ -56,9 +56,9 @@ TYPED_TEST(ShearViscositiesMpi, AreThoseOfTheShearRate)
   FluidViscosities<dim> given;
   given.attach(*scene.space, scene.fluids);
   ShearViscosities<dim> shear(*scene.space,
-                                    *scene.boundary,
-                                    *scene.phase,
-                                    given);
+                              *scene.boundary,
+                              *scene.phase,
+                              given);
   ASSERT_TRUE(shear.depend_on_shear());
   shear.update(scene.velocity([](const auto &x) {
     dealii::Tensor<1, dim> u;
@@ -78,10 +78,7 @@ TEST(ShearViscosities, InCutCellsAreThoseOfALaminate)
   scene.set_phases([](const auto &x) { return x[1] - .5; });
   FluidViscosities<2> given;
   given.attach(*scene.space, scene.fluids);
-  ShearViscosities<2> shear(*scene.space,
-                                    *scene.boundary,
-                                    *scene.phase,
-                                    given);
+  ShearViscosities<2> shear(*scene.space, *scene.boundary, *scene.phase, given);
   const Vector        u = scene.velocity([](const auto &x) {
     dealii::Tensor<1, 2> u;
     u[0] = 4. * x[1];
@@ -109,15 +106,15 @@ TYPED_TEST(ShearViscositiesMpi, KnowTheirDerivative)
   FluidViscosities<dim> given;
   given.attach(*scene.space, scene.fluids);
   ShearViscosities<dim>      shear(*scene.space,
-                                    *scene.boundary,
-                                    *scene.phase,
-                                    given);
+                              *scene.boundary,
+                              *scene.phase,
+                              given);
   const ViscousOperator<dim> viscous(*scene.space,
                                      *scene.boundary,
                                      *scene.phase,
                                      &shear.viscosities());
-  const Vector u = some_flow(scene, 0.), w = some_flow(scene, 1.);
-  const auto   force = [&](const double step) {
+  const Vector               u = some_flow(scene, 0.), w = some_flow(scene, 1.);
+  const auto                 force = [&](const double step) {
     Vector moved(u), result;
     moved.add(step, w);
     scene.space->interpolate(moved, dim);

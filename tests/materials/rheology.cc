@@ -63,11 +63,11 @@ TEST(Rheology, SlopesAreDerivativesDownToStandstill)
   for (const char *name :
        {"newton", "power law", "carreau", "bingham", "herschel bulkley"})
     {
-      const Law law(name,
+      const Law  law(name,
                     std::string(name) == "bingham" ||
-                        std::string(name) == "herschel bulkley" ?
-                      std::vector<std::string>{"Yield stress = 5"} :
-                      std::vector<std::string>{});
+                        std::string(name) == "herschel bulkley"
+                       ? std::vector<std::string>{"Yield stress = 5"}
+                       : std::vector<std::string>{});
       const auto start = law.model->value(0., 2.);
       EXPECT_TRUE(std::isfinite(start.viscosity + start.slope)) << name;
       for (double rate = 1e-9; rate < 1e6; rate *= 3.)
@@ -91,10 +91,10 @@ TEST(Rheology, FluidsHaveOneEach)
   Fluids                   fluids;
   EXPECT_FALSE(fluids.depend_on_shear());
   fluids.declare_parameters(Section(prm));
-  prm.parse_input_from_string(
-    section("Fluids",
-            {},
-            section("Second fluid", {}, section("Rheology", {"Model = carreau"}))));
+  prm.parse_input_from_string(section(
+    "Fluids",
+    {},
+    section("Second fluid", {}, section("Rheology", {"Model = carreau"}))));
   EXPECT_TRUE(fluids.depend_on_shear());
   EXPECT_EQ(fluids.rheology(0), nullptr);
   EXPECT_NE(fluids.rheology(1), nullptr);

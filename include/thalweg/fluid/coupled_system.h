@@ -15,13 +15,13 @@ namespace Thalweg
   template <int dim>
   struct CoupledParts
   {
-    const NodeSpace<dim>       &space;
-    const BoundaryNodes<dim>   &boundary;
-    const PhaseField<dim>      &phase;
-    const BodyForces<dim>      &forces;
-    const NodalMass<dim>       &mass;
-    const PressureSystem<dim>  &pressure;
-    const ViscousOperator<dim> &viscous;
+    const NodeSpace<dim>        &space;
+    const BoundaryNodes<dim>    &boundary;
+    const PhaseField<dim>       &phase;
+    const BodyForces<dim>       &forces;
+    const NodalMass<dim>        &mass;
+    const PressureSystem<dim>   &pressure;
+    const ViscousOperator<dim>  &viscous;
     const ShearViscosities<dim> &shear;
   };
 
@@ -191,11 +191,11 @@ namespace Thalweg
     double                      largest_tau = 1.;
     dealii::Tensor<2, dim>      deflection;
     std::array<double, 2>       scales{{1., 1.}};
-    std::vector<double>         taus; ///< of the cells, s
+    std::vector<double>         taus;          ///< of the cells, s
     std::vector<double>         impulse_times; ///< s dt of the cells, s
-    std::vector<double>         rests;    ///< 1 - s of the cells
-    Vector                      measures; ///< int N_i
-    Vector                      extents;  ///< sum of int |grad N_i|
+    std::vector<double>         rests;         ///< 1 - s of the cells
+    Vector                      measures;      ///< int N_i
+    Vector                      extents;       ///< sum of int |grad N_i|
     mutable Vector              work, acceleration, friction, against;
     mutable EnrichedPressure    pressure_work, load;
   };

@@ -88,23 +88,23 @@ namespace Thalweg
     double       divergence_tolerance = 1e-2;
     unsigned int maximal_iterations   = 1000;
 
-    Context                              *context  = nullptr;
-    const NodeSpace<dim>                 *space    = nullptr;
-    const BoundaryNodes<dim>             *boundary = nullptr;
-    const PhaseField<dim>                *phase    = nullptr;
-    const BodyForces<dim>                *forces   = nullptr;
-    const FlowTerms<dim>                 *terms    = nullptr;
-    std::unique_ptr<NodalMass<dim>>       mass;
-    std::unique_ptr<PressureSystem<dim>>  pressure_system;
-    std::unique_ptr<KineticBudget<dim>>   budget;
+    Context                               *context  = nullptr;
+    const NodeSpace<dim>                  *space    = nullptr;
+    const BoundaryNodes<dim>              *boundary = nullptr;
+    const PhaseField<dim>                 *phase    = nullptr;
+    const BodyForces<dim>                 *forces   = nullptr;
+    const FlowTerms<dim>                  *terms    = nullptr;
+    std::unique_ptr<NodalMass<dim>>        mass;
+    std::unique_ptr<PressureSystem<dim>>   pressure_system;
+    std::unique_ptr<KineticBudget<dim>>    budget;
     std::unique_ptr<ShearViscosities<dim>> shear;
-    std::unique_ptr<ViscousOperator<dim>> viscous;
-    dealii::Tensor<2, dim>                deflection; ///< D of deflect()
-    Vector                                force;
-    Vector                                change;
-    Vector                                deflected; ///< m/s^2
-    Vector                                v;
-    EnrichedPressure                      p;
+    std::unique_ptr<ViscousOperator<dim>>  viscous;
+    dealii::Tensor<2, dim>                 deflection; ///< D of deflect()
+    Vector                                 force;
+    Vector                                 change;
+    Vector                                 deflected; ///< m/s^2
+    Vector                                 v;
+    EnrichedPressure                       p;
 
   private:
     /// What acts besides the body forces.

@@ -85,9 +85,9 @@ namespace Thalweg
     void
     solve_nonlinear(const double duration);
 
-    double       tolerance  = 1e-8;
-    double       theta      = 1.;
-    unsigned int basis_size = 60;
+    double       tolerance            = 1e-8;
+    double       theta                = 1.;
+    unsigned int basis_size           = 60;
     std::string  linearization        = "newton";
     double       nonlinear_tolerance  = 1e-6;
     unsigned int nonlinear_iterations = 30;

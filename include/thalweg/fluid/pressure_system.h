@@ -221,7 +221,7 @@ namespace Thalweg
     void
     subtract_star_outflow(const unsigned int                         cell,
                           const std::array<double, dim *(1 << dim)> &field,
-                          Load                                      &load) const;
+                          Load &load) const;
 
     /**
      * (grad q, g + f/rho). The mean of the field at

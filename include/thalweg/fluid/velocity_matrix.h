@@ -46,7 +46,7 @@ namespace Thalweg
 
     /// Removes the fixed directions of a cell's nodes from its matrix.
     void
-    remove_fixed(const unsigned int                          cell,
+    remove_fixed(const unsigned int                         cell,
                  typename ViscousOperator<dim>::CellMatrix &matrix) const;
 
     const NodeSpace<dim>                                   &space;

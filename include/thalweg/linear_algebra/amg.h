@@ -59,7 +59,7 @@ namespace Thalweg
      */
     void
     build(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-          const Smoother       smoother = Smoother::incomplete_cholesky,
+          const Smoother       smoother        = Smoother::incomplete_cholesky,
           const NearNullSpace &near_null_space = {});
 
     /**

@@ -75,13 +75,10 @@ namespace Thalweg
            const unsigned int    maximum,
            const std::string    &what)
   {
-    return run_solver(tolerance,
-                      maximum,
-                      what,
-                      [&](dealii::SolverControl &control) {
-                        dealii::SolverCG<Vector>(control).solve(
-                          A, x, b, preconditioner);
-                      });
+    return run_solver(
+      tolerance, maximum, what, [&](dealii::SolverControl &control) {
+        dealii::SolverCG<Vector>(control).solve(A, x, b, preconditioner);
+      });
   }
 } // namespace Thalweg
 

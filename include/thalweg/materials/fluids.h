@@ -62,8 +62,7 @@ namespace Thalweg
     bool
     depend_on_shear() const
     {
-      return rheology(0) != nullptr ||
-             (number == 2 && rheology(1) != nullptr);
+      return rheology(0) != nullptr || (number == 2 && rheology(1) != nullptr);
     }
 
     /// The number of the fluid called @p name.

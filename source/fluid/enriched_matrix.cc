@@ -101,7 +101,7 @@ namespace Thalweg
                     b.node,
                     a.weight * b.weight * cut.laplace_star[a.vertex][b.vertex],
                     a.weight * b.weight *
-                      cut.laplace_star_star[a.vertex][b.vertex]);
+                      cut.star_response[a.vertex][b.vertex]);
         }
   }
 

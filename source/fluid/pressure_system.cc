@@ -85,6 +85,23 @@ namespace Thalweg
 
   template <int dim>
   void
+  PressureSystem<dim>::subtract_jumps(
+    const CutCell<dim>                        &cut,
+    const std::array<double, dim *(1 << dim)> &field,
+    Load                                      &load) const
+  {
+    constexpr unsigned int n = 1 << dim;
+    if (!cut.star_jump.empty())
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int d = 0; d < dim; ++d)
+            load.star[j] -= cut.star_jump[n * i + j][d] * field[dim * i + d];
+  }
+
+
+
+  template <int dim>
+  void
   PressureSystem<dim>::add_forces(const unsigned int cell, Load &load) const
   {
     const auto         &geometry  = space.mesh().graph().cell(cell);
@@ -112,6 +129,8 @@ namespace Thalweg
                       cut->star_gradient[v][j][d] * a[dim * v + d];
               }
           }
+        if (cut && cut->enriched)
+          subtract_jumps(*cut, a, load);
         integrals.add_divergence(geometry, a, load.nodal);
       }
     for (unsigned int v = 0; v < load.nodal.size(); ++v)
@@ -184,6 +203,9 @@ namespace Thalweg
       {
         Load load;
         add_divergence(c, rate, load);
+        const CutCell<dim> *cut = enriched_cell(c);
+        if (cut && cell_factors)
+          subtract_jumps(*cut, gather_velocity<dim>(rate, space.nodes(c)), load);
         if (with_forces)
           add_forces(c, load);
         if (pressure)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/gather.h>
 #include <thalweg/fluid/viscous_operator.h>
 #include <thalweg/materials/laminate.h>
 
@@ -98,28 +99,83 @@ namespace Thalweg
   typename ViscousOperator<dim>::CellViscosity
   ViscousOperator<dim>::cell_viscosity(const unsigned int cell) const
   {
-    const int  cut_index = phase.cut_index(cell);
-    const bool are_set   = viscosities != nullptr && viscosities->are_set();
+    const int cut_index = phase.cut_index(cell);
     if (cut_index < 0)
-      return {are_set ? (*viscosities)(phase.fluid_number(cell), cell)
-                      : phase.fluid(cell).viscosity,
-              0.,
-              nullptr};
-    const CutCell<dim> &cut = phase.cut_cells()[cut_index];
-    if (at_wall[cell])
-      return {are_set ? arithmetic_mean(cut.negative_fraction,
-                                        {{(*viscosities)(0, cell),
-                                          (*viscosities)(1, cell)}})
-                      : cut.arithmetic_viscosity,
-              0.,
-              nullptr};
-    if (!are_set)
-      return {cut.arithmetic_viscosity, cut.harmonic_viscosity, &cut};
+      return {fluid_viscosity(phase.fluid_number(cell), cell), 0., nullptr};
+    const CutCell<dim>         &cut = phase.cut_cells()[cut_index];
     const std::array<double, 2> both{
-      {(*viscosities)(0, cell), (*viscosities)(1, cell)}};
+      {fluid_viscosity(0, cell), fluid_viscosity(1, cell)}};
     return {arithmetic_mean(cut.negative_fraction, both),
             harmonic_mean(cut.negative_fraction, both),
-            &cut};
+            at_wall[cell] ? nullptr : &cut};
+  }
+
+
+
+  template <int dim>
+  const CutCell<dim> *
+  ViscousOperator<dim>::cell_with_jumps(const unsigned int cell) const
+  {
+    const int index = phase.cut_index(cell);
+    return index >= 0 && !phase.cut_cells()[index].second_gradients.empty() ?
+             &phase.cut_cells()[index] :
+             nullptr;
+  }
+
+
+
+  template <int dim>
+  typename ViscousOperator<dim>::CellMatrix
+  ViscousOperator<dim>::matrix_of_sides(const unsigned int  cell,
+                                        const CutCell<dim> &cut) const
+  {
+    constexpr unsigned int n_vertices = 1 << dim;
+    using Tensor                      = dealii::Tensor<2, dim>;
+    const double          harmonic    = cell_viscosity(cell).harmonic;
+    const auto           &normal      = cut.normal;
+    std::array<Tensor, n_vertices * n_vertices> whole;
+    for (unsigned int q = 0; q < gauss.n_points; ++q)
+      {
+        const auto point = gauss.evaluate(space.mesh().graph().cell(cell), q);
+        for (unsigned int i = 0; i < n_vertices; ++i)
+          for (unsigned int j = 0; j < n_vertices; ++j)
+            whole[n_vertices * i + j] +=
+              outer_product(gauss.weight * point.determinant *
+                              point.gradients[i],
+                            point.gradients[j]);
+      }
+    CellMatrix matrix{};
+    const auto add_side = [&](const unsigned int i,
+                              const unsigned int j,
+                              const Tensor      &T,
+                              const double       viscosity) {
+      const double trace = dealii::trace(T);
+      Tensor       sum   = viscosity * (trace * dealii::unit_symmetric_tensor<dim>() +
+                              transpose(T));
+      if (!at_wall[cell])
+        {
+          const auto   T_n = T * normal, n_T = normal * T;
+          const double both = normal * T_n;
+          sum += (harmonic - viscosity) *
+                 (both * dealii::unit_symmetric_tensor<dim>() +
+                  outer_product(n_T, normal) + outer_product(normal, T_n) +
+                  (trace - 4. * both) * outer_product(normal, normal));
+        }
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          matrix[dim * i + d][dim * j + e] += sum[d][e];
+    };
+    for (unsigned int i = 0; i < n_vertices; ++i)
+      for (unsigned int j = 0; j < n_vertices; ++j)
+        {
+          const Tensor &T = cut.second_gradients[n_vertices * i + j];
+          add_side(i, j, T, fluid_viscosity(1, cell));
+          add_side(i,
+                   j,
+                   whole[n_vertices * i + j] - T,
+                   fluid_viscosity(0, cell));
+        }
+    return matrix;
   }
 
 
@@ -128,6 +184,8 @@ namespace Thalweg
   typename ViscousOperator<dim>::CellMatrix
   ViscousOperator<dim>::cell_matrix(const unsigned int cell) const
   {
+    if (const CutCell<dim> *cut = cell_with_jumps(cell))
+      return matrix_of_sides(cell, *cut);
     const CellViscosity viscosity = cell_viscosity(cell);
     CellMatrix          matrix{};
     for (unsigned int q = 0; q < gauss.n_points; ++q)
@@ -156,7 +214,17 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto         &nodes     = space.nodes(c);
+        const auto &nodes = space.nodes(c);
+        if (cell_with_jumps(c))
+          {
+            const auto matrix = cell_matrix(c);
+            const auto u      = gather_velocity<dim>(velocity, nodes);
+            for (unsigned int i = 0; i < n_cell_values; ++i)
+              for (unsigned int j = 0; j < n_cell_values; ++j)
+                force.local_element(dim * nodes[i / dim] + i % dim) -=
+                  matrix[i][j] * u[j];
+            continue;
+          }
         const CellViscosity viscosity = cell_viscosity(c);
         std::array<dealii::Tensor<1, dim>, (1 << dim)> u, f;
         for (unsigned int v = 0; v < u.size(); ++v)
@@ -193,7 +261,15 @@ namespace Thalweg
     const CellGraph<dim> &graph = space.mesh().graph();
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
-        const auto         &nodes     = space.nodes(c);
+        const auto &nodes = space.nodes(c);
+        if (cell_with_jumps(c))
+          {
+            const auto matrix = cell_matrix(c);
+            for (unsigned int i = 0; i < n_cell_values; ++i)
+              inverse.local_element(dim * nodes[i / dim] + i % dim) +=
+                matrix[i][i];
+            continue;
+          }
         const CellViscosity viscosity = cell_viscosity(c);
         for (unsigned int q = 0; q < gauss.n_points; ++q)
           {

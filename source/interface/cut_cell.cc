@@ -21,51 +21,199 @@ namespace Thalweg
 
 
 
-    /// Adds the integrals of the enrichment at one quadrature point, of the
-    /// symmetric matrix only what is not above the diagonal, and int N_i grad
-    /// |phi| to @p kink.
+    /// The enrichment's functions at a quadrature point: N_j times a factor.
     template <int dim>
-    void
-    add_enrichment(CutCell<dim>                         &cut,
-                   Vectors<dim>                         &kink,
-                   const Q1::Point<dim>                 &point,
+    struct Star
+    {
+      std::array<double, (1 << dim)> factors;
+      Vectors<dim>                   gradients;
+    };
+
+
+
+    /// N_j psi, from |phi| and its gradient.
+    template <int dim>
+    Star<dim>
+    kink_functions(const Q1::Point<dim>                 &point,
                    const std::array<double, (1 << dim)> &w,
                    const double                          absolute_phi,
-                   const dealii::Tensor<1, dim>         &absolute_gradient,
-                   const double                          weight,
-                   const double                          density)
+                   const dealii::Tensor<1, dim>         &absolute_gradient)
     {
-      constexpr unsigned int n        = 1 << dim;
       double                 psi      = -absolute_phi;
       dealii::Tensor<1, dim> grad_psi = -absolute_gradient;
-      for (unsigned int v = 0; v < n; ++v)
+      for (unsigned int v = 0; v < w.size(); ++v)
         {
           psi += w[v] * point.values[v];
           grad_psi += w[v] * point.gradients[v];
         }
-      Vectors<dim> star;
-      for (unsigned int j = 0; j < n; ++j)
-        star[j] = point.values[j] * grad_psi + psi * point.gradients[j];
-      const double inverse = weight / density;
+      Star<dim> star;
+      for (unsigned int j = 0; j < w.size(); ++j)
+        {
+          star.factors[j] = psi;
+          star.gradients[j] =
+            point.values[j] * grad_psi + psi * point.gradients[j];
+        }
+      return star;
+    }
+
+
+
+    /// N_j (H - H_j) where fluid 1 is, or not.
+    template <int dim>
+    Star<dim>
+    jump_functions(const Q1::Point<dim>                 &point,
+                   const std::array<double, (1 << dim)> &phi,
+                   const bool                            negative)
+    {
+      Star<dim> star;
+      for (unsigned int j = 0; j < phi.size(); ++j)
+        {
+          const double factor = (negative ? 0. : 1.) - (phi[j] < 0 ? 0. : 1.);
+          star.factors[j]     = factor;
+          star.gradients[j]   = factor * point.gradients[j];
+        }
+      return star;
+    }
+
+
+
+    /// Adds the integrals of the enrichment at one quadrature point, of the
+    /// symmetric matrix only what is not above the diagonal.
+    template <int dim>
+    void
+    add_enrichment(CutCell<dim>         &cut,
+                   const Q1::Point<dim> &point,
+                   const Star<dim>      &star,
+                   const double          weight,
+                   const double          density)
+    {
+      constexpr unsigned int n       = 1 << dim;
+      const double           inverse = weight / density;
       for (unsigned int i = 0; i < n; ++i)
         {
           const double value = weight * point.values[i];
           for (unsigned int j = 0; j < n; ++j)
             {
               cut.laplace_star[i][j] +=
-                inverse * (point.gradients[i] * star[j]);
-              cut.star_divergence[i][j] += (value * psi) * point.gradients[j];
-              cut.star_gradient[i][j] += value * star[j];
+                inverse * (point.gradients[i] * star.gradients[j]);
+              cut.star_divergence[i][j] +=
+                (value * star.factors[i]) * point.gradients[j];
+              cut.star_gradient[i][j] += value * star.gradients[j];
             }
           for (unsigned int j = 0; j <= i; ++j)
-            cut.laplace_star_star[i][j] += inverse * (star[i] * star[j]);
-          const double square = weight * point.values[i] * point.values[i];
-          cut.star_mass[i] += square * psi * psi;
-          cut.mixed_mass[i] += square * psi;
-          cut.star_load[i] += weight * star[i];
-          cut.star_inverse_load[i] += inverse * star[i];
-          kink[i] += value * absolute_gradient;
+            cut.laplace_star_star[i][j] +=
+              inverse * (star.gradients[i] * star.gradients[j]);
+          const double square = value * point.values[i] * star.factors[i];
+          cut.star_mass[i] += square * star.factors[i];
+          cut.mixed_mass[i] += square;
+          cut.star_load[i] += weight * star.gradients[i];
+          cut.star_inverse_load[i] += inverse * star.gradients[i];
         }
+    }
+
+
+
+    /// Quadrature on the side of a simplex, by the weights of its corners.
+    template <int dim>
+    const std::vector<std::pair<std::array<double, dim>, double>> &
+    side_quadrature();
+
+    template <>
+    const std::vector<std::pair<std::array<double, 2>, double>> &
+    side_quadrature<2>()
+    {
+      static const double x = .5 * (1. - std::sqrt(.6));
+      static const std::vector<std::pair<std::array<double, 2>, double>> rule{
+        {{{x, 1. - x}}, 5. / 18.},
+        {{{.5, .5}}, 8. / 18.},
+        {{{1. - x, x}}, 5. / 18.}};
+      return rule;
+    }
+
+    template <>
+    const std::vector<std::pair<std::array<double, 3>, double>> &
+    side_quadrature<3>()
+    {
+      // D. Dunavant, Int. J. Numer. Methods Eng. 21, 1985, degree 4
+      constexpr double a = .445948490915965, b = .091576213509771;
+      constexpr double at_a = .223381589678011, at_b = .109951743655322;
+      static const std::vector<std::pair<std::array<double, 3>, double>> rule{
+        {{{a, a, 1. - 2. * a}}, at_a},
+        {{{a, 1. - 2. * a, a}}, at_a},
+        {{{1. - 2. * a, a, a}}, at_a},
+        {{{b, b, 1. - 2. * b}}, at_b},
+        {{{b, 1. - 2. * b, b}}, at_b},
+        {{{1. - 2. * b, b, b}}, at_b}};
+      return rule;
+    }
+
+
+
+    /**
+     * @brief Calls @p visit(point, vector) for a quadrature of the side of a
+     * piece of fluid 0 that lies on the interface, if it has one.
+     *
+     * With the gradient g of the barycentric coordinate of the opposite corner
+     * the vector of a side is -dim times the simplex's measure times g; here in
+     * the coordinates of the piece.
+     */
+    template <int dim, typename Visitor>
+    void
+    for_each_interface_point(const SimplexCut::Simplex<dim> &piece,
+                             const Visitor                  &visit)
+    {
+      unsigned int opposite = 0, n_zeros = 0;
+      for (unsigned int c = 0; c < dim + 1; ++c)
+        if (piece.phi[c] == 0.)
+          ++n_zeros;
+        else
+          opposite = c;
+      if (n_zeros != dim || !(piece.phi[opposite] < 0.))
+        return;
+      SimplexCut::Simplex<dim> coordinate = piece;
+      coordinate.phi.fill(0.);
+      coordinate.phi[opposite] = 1.;
+      const auto side = (-1. * dim * SimplexCut::measure(piece)) *
+                        SimplexCut::gradient(coordinate);
+      for (const auto &[weights, weight] : side_quadrature<dim>())
+        {
+          dealii::Point<dim> point;
+          for (unsigned int c = 0, i = 0; c < dim + 1; ++c)
+            if (c != opposite)
+              point += weights[i++] * dealii::Tensor<1, dim>(piece.corners[c]);
+          visit(point, weight * side);
+        }
+    }
+
+
+
+    /// Adds N_i N_j n at a point of the interface.
+    template <int dim>
+    void
+    add_jump(CutCell<dim>                         &cut,
+             const std::array<double, (1 << dim)> &values,
+             const dealii::Tensor<1, dim>         &vector)
+    {
+      constexpr unsigned int n = 1 << dim;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          cut.star_jump[n * i + j] += (values[i] * values[j]) * vector;
+    }
+
+
+
+    /// Adds what is needed of a piece with jumps besides.
+    template <int dim>
+    void
+    add_second_gradients(CutCell<dim>         &cut,
+                         const Q1::Point<dim> &point,
+                         const double          weight)
+    {
+      constexpr unsigned int n = 1 << dim;
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          cut.second_gradients[n * i + j] +=
+            outer_product(weight * point.gradients[i], point.gradients[j]);
     }
 
 
@@ -151,45 +299,116 @@ namespace Thalweg
 
 
 
+    /// What is needed besides while a cell is integrated.
+    template <int dim>
+    struct Sums
+    {
+      Vectors<dim> kink; ///< int N_i grad |phi|
+      /// [i][j]: int N_i grad N_j by the rule for pieces
+      std::array<Vectors<dim>, (1 << dim)> gradient;
+    };
+
+
+
+    /// What a cut cell is integrated from.
+    template <int dim>
+    struct Task
+    {
+      const typename CellGraph<dim>::Cell &cell;
+      std::array<double, (1 << dim)>       phi;
+      std::array<double, (1 << dim)>       w;
+      const Fluids                        &fluids;
+      Enrichment                           enrichment;
+    };
+
+
+
+    /// Adds the integrals of everything at one point.
+    /// @param phi, gradient of the level set there
+    template <int dim>
+    void
+    add_all(CutCell<dim>                 &cut,
+            Sums<dim>                    &sums,
+            const Task<dim>              &task,
+            const Q1::Point<dim>         &point,
+            const double                  weight,
+            const bool                    negative,
+            const double                  phi,
+            const dealii::Tensor<1, dim> &gradient)
+    {
+      const double density = task.fluids[negative ? 0 : 1].density;
+      add_point(cut, point, weight, density);
+      if (task.enrichment == Enrichment::gradient)
+        {
+          const double sign          = negative ? -1. : 1.;
+          const auto   kink_gradient = sign * gradient;
+          add_enrichment(
+            cut,
+            point,
+            kink_functions<dim>(point, task.w, sign * phi, kink_gradient),
+            weight,
+            density);
+          for (unsigned int i = 0; i < sums.kink.size(); ++i)
+            sums.kink[i] += (weight * point.values[i]) * kink_gradient;
+        }
+      if (task.enrichment == Enrichment::discontinuous)
+        {
+          add_enrichment(cut,
+                         point,
+                         jump_functions<dim>(point, task.phi, negative),
+                         weight,
+                         density);
+          if (!negative)
+            add_second_gradients(cut, point, weight);
+          for (unsigned int i = 0; i < point.values.size(); ++i)
+            for (unsigned int j = 0; j < point.values.size(); ++j)
+              sums.gradient[i][j] +=
+                (weight * point.values[i]) * point.gradients[j];
+        }
+    }
+
+
+
     /// Adds the integrals of a parallelepiped: the shape functions are Q1.
     template <int dim>
     void
-    integrate_in_reference_cell(CutCell<dim>                         &cut,
-                                Vectors<dim>                         &kink,
-                                const typename CellGraph<dim>::Cell  &cell,
-                                const std::array<double, (1 << dim)> &phi,
-                                const std::array<double, (1 << dim)> &w,
-                                const Fluids                         &fluids,
-                                const bool                            enrich)
+    integrate_in_reference_cell(CutCell<dim>    &cut,
+                                Sums<dim>       &sums,
+                                const Task<dim> &task)
     {
-      for (const auto &simplex : SimplexCut::divide<dim>(phi))
+      const auto at = [&](const dealii::Point<dim> &xi) {
+        return Q1::evaluate<dim>(task.cell,
+                                 Q1::values<dim>(xi),
+                                 Q1::reference_gradients<dim>(xi));
+      };
+      for (const auto &simplex : SimplexCut::divide<dim>(task.phi))
         {
           const auto reference_gradient = SimplexCut::gradient(simplex);
           SimplexCut::cut(simplex, [&](const auto &piece) {
-            const bool   negative = SimplexCut::is_negative(piece);
-            const double sign     = negative ? -1. : 1.;
+            const bool negative = SimplexCut::is_negative(piece);
             for (const auto &q : SimplexCut::quadrature(piece))
               {
-                const auto point =
-                  Q1::evaluate<dim>(cell,
-                                    Q1::values<dim>(q.xi),
-                                    Q1::reference_gradients<dim>(q.xi));
+                const auto   point = at(q.xi);
                 const double value =
                   simplex.phi[0] +
                   reference_gradient * (q.xi - simplex.corners[0]);
-                const double weight  = q.weight * point.determinant;
-                const double density = fluids[negative ? 0 : 1].density;
-                add_point(cut, point, weight, density);
-                if (enrich)
-                  add_enrichment(cut,
-                                 kink,
-                                 point,
-                                 w,
-                                 sign * value,
-                                 sign * (point.covariant * reference_gradient),
-                                 weight,
-                                 density);
+                add_all<dim>(cut,
+                             sums,
+                             task,
+                             point,
+                             q.weight * point.determinant,
+                             negative,
+                             value,
+                             point.covariant * reference_gradient);
               }
+            if (task.enrichment == Enrichment::discontinuous)
+              for_each_interface_point(
+                piece, [&](const dealii::Point<dim> &xi, const auto &vector) {
+                  const auto point = at(xi);
+                  add_jump(cut,
+                           point.values,
+                           point.determinant * (point.covariant * vector));
+                });
           });
         }
     }
@@ -200,36 +419,82 @@ namespace Thalweg
     /// simplex, as the level set is.
     template <int dim>
     void
-    integrate_in_space(CutCell<dim>                         &cut,
-                       Vectors<dim>                         &kink,
-                       const typename CellGraph<dim>::Cell  &cell,
-                       const std::array<double, (1 << dim)> &phi,
-                       const std::array<double, (1 << dim)> &w,
-                       const Fluids                         &fluids,
-                       const bool                            enrich)
+    integrate_in_space(CutCell<dim>    &cut,
+                       Sums<dim>       &sums,
+                       const Task<dim> &task)
     {
-      const Q1::SimplexShape<dim> shape(cell.vertices);
+      const Q1::SimplexShape<dim> shape(task.cell.vertices);
       SimplexCut::cut_in_space<dim>(
-        shape, phi, [&](const auto &piece, const auto &simplex) {
+        shape,
+        task.phi,
+        [&](const auto &piece, const auto &simplex, const auto &part) {
           Q1::Point<dim> point;
           point.values    = shape.values(piece.simplex, piece.middle);
           point.gradients = shape.gradients(piece.simplex, simplex);
           dealii::Tensor<1, dim> gradient;
-          for (unsigned int v = 0; v < phi.size(); ++v)
-            gradient += phi[v] * point.gradients[v];
-          const double sign    = piece.negative ? -1. : 1.;
-          const double density = fluids[piece.negative ? 0 : 1].density;
-          add_point(cut, point, piece.measure, density);
-          if (enrich)
-            add_enrichment(cut,
-                           kink,
-                           point,
-                           w,
-                           sign * piece.phi,
-                           sign * gradient,
-                           piece.measure,
-                           density);
+          for (unsigned int v = 0; v < task.phi.size(); ++v)
+            gradient += task.phi[v] * point.gradients[v];
+          add_all<dim>(cut,
+                       sums,
+                       task,
+                       point,
+                       piece.measure,
+                       piece.negative,
+                       piece.phi,
+                       gradient);
+          if (task.enrichment == Enrichment::discontinuous)
+            for_each_interface_point(
+              part, [&](const dealii::Point<dim> &b, const auto &vector) {
+                std::array<double, dim + 1> barycentric{{1.}};
+                dealii::Tensor<1, dim>      in_space;
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    barycentric[d + 1] = b[d];
+                    barycentric[0] -= b[d];
+                    in_space += vector[d] * simplex.gradients[d + 1];
+                  }
+                // from the unit simplex to this one
+                constexpr double unit = dim == 2 ? .5 : 1. / 6.;
+                add_jump(cut,
+                         shape.values(piece.simplex, barycentric),
+                         simplex.measure / unit * in_space);
+              });
         });
+    }
+
+
+
+    /**
+     * @brief Lets jumps be integrated as exactly as the standard functions:
+     * what fluid 0 has is what fluid 1 does not have of the whole cell. Adds
+     * what the interface has, and what jumps move.
+     */
+    template <int dim>
+    void
+    finish_jumps(CutCell<dim>    &cut,
+                 const Task<dim> &task,
+                 const Sums<dim> &sums)
+    {
+      constexpr unsigned int n = 1 << dim;
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          std::array<double, n> one{};
+          one[j]           = 1.;
+          const auto whole = continuous_gradient<dim>(task.cell, one);
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              if (task.phi[j] >= 0)
+                cut.star_gradient[i][j] -= whole[i] - sums.gradient[i][j];
+              cut.star_gradient[i][j] += cut.star_jump[n * i + j];
+            }
+        }
+      // What jumps move: with the masses of this cell alone they move more.
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int k = 0; k < n; ++k)
+          for (unsigned int i = 0; i < n; ++i)
+            cut.star_response[j][k] += cut.star_jump[n * i + j] *
+                                       cut.star_jump[n * i + k] /
+                                       (n * cut.mass[i]);
     }
 
 
@@ -274,24 +539,29 @@ namespace Thalweg
                      const std::array<double, (1 << dim)> &w_in,
                      const double                          length,
                      const Fluids                         &fluids,
-                     const bool                            enrich)
+                     const Enrichment                      enrichment)
   {
     constexpr unsigned int n = 1 << dim;
     CutCell<dim>           cut{};
+    Task<dim>              task{cell, phi_in, w_in, fluids, enrichment};
     cut.cell = index;
-    auto phi = phi_in, w = w_in;
     for (unsigned int v = 0; v < n; ++v)
       {
-        phi[v] /= length;
-        w[v] /= length;
+        task.phi[v] /= length;
+        task.w[v] /= length;
       }
-    set_laminate(cut, cell, phi, fluids);
+    set_laminate(cut, cell, task.phi, fluids);
+    if (enrichment == Enrichment::discontinuous)
+      {
+        cut.star_jump.resize(n * n);
+        cut.second_gradients.resize(n * n);
+      }
 
-    Vectors<dim> kink;
+    Sums<dim> sums;
     if (Q1::is_parallelepiped<dim>(cell))
-      integrate_in_reference_cell(cut, kink, cell, phi, w, fluids, enrich);
+      integrate_in_reference_cell(cut, sums, task);
     else
-      integrate_in_space(cut, kink, cell, phi, w, fluids, enrich);
+      integrate_in_space(cut, sums, task);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
@@ -299,17 +569,20 @@ namespace Thalweg
           cut.mass_matrix[j][i]       = cut.mass_matrix[i][j];
           cut.laplace_star_star[j][i] = cut.laplace_star_star[i][j];
         }
-    if (enrich)
+    if (enrichment == Enrichment::none)
+      return cut;
+    cut.star_response = cut.laplace_star_star;
+    if (enrichment == Enrichment::gradient)
+      balance_uniform_kink(cut, sums.kink, cell, task.w);
+    else
+      finish_jumps(cut, task, sums);
+    double trace = 0, star_trace = 0;
+    for (unsigned int i = 0; i < n; ++i)
       {
-        balance_uniform_kink(cut, kink, cell, w);
-        double trace = 0, star_trace = 0;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            trace += cut.laplace[i][i];
-            star_trace += cut.laplace_star_star[i][i];
-          }
-        cut.enriched = star_trace > negligible * trace;
+        trace += cut.laplace[i][i];
+        star_trace += cut.laplace_star_star[i][i];
       }
+    cut.enriched = star_trace > negligible * trace;
     return cut;
   }
 
@@ -331,7 +604,9 @@ namespace Thalweg
     double volume = 0;
     SimplexCut::cut_in_space<dim>(Q1::SimplexShape<dim>(cell.vertices),
                                   phi,
-                                  [&volume](const auto &piece, const auto &) {
+                                  [&volume](const auto &piece,
+                                            const auto &,
+                                            const auto &) {
                                     if (piece.negative)
                                       volume += piece.measure;
                                   });
@@ -347,7 +622,7 @@ namespace Thalweg
                         const std::array<double, 4> &,
                         const double,
                         const Fluids &,
-                        const bool);
+                        const Enrichment);
   template CutCell<3>
   integrate_cut_cell<3>(const unsigned int,
                         const CellGraph<3>::Cell &,
@@ -355,7 +630,7 @@ namespace Thalweg
                         const std::array<double, 8> &,
                         const double,
                         const Fluids &,
-                        const bool);
+                        const Enrichment);
   template double
   negative_volume<2>(const CellGraph<2>::Cell &, const std::array<double, 4> &);
   template double

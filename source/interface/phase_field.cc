@@ -36,9 +36,12 @@ namespace Thalweg
                 enrichment,
                 "",
                 "How the pressure is enriched in cells that the interface "
-                "cuts: with a kink in its gradient, or not at all (only to "
-                "show the difference).",
-                dealii::Patterns::Selection("gradient|none"));
+                "cuts: with a kink in its gradient; with a jump, for fluids "
+                "whose friction differs (`discontinuous`, for "
+                "'Fluid solver/Model = monolithic' and meshes without hanging "
+                "nodes at the interface); or not at all (only to show the "
+                "difference).",
+                dealii::Patterns::Selection("discontinuous|gradient|none"));
   }
 
 
@@ -278,6 +281,10 @@ namespace Thalweg
   PhaseField<dim>::integrate_cuts() const
   {
     cuts.reserve(level_sets.size());
+    const Enrichment enrichment =
+      parameters.enrichment == "none"     ? Enrichment::none :
+      parameters.enrichment == "gradient" ? Enrichment::gradient :
+                                            Enrichment::discontinuous;
     for (const CutLevelSet &level_set : level_sets)
       cuts.push_back(
         integrate_cut_cell<dim>(level_set.cell,
@@ -286,7 +293,7 @@ namespace Thalweg
                                 level_set.absolute,
                                 shortest_edge_,
                                 fluids,
-                                parameters.enrichment != "none"));
+                                enrichment));
   }
 
 

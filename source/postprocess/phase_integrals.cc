@@ -50,7 +50,7 @@ namespace Thalweg
       const auto &nodes    = solution.space.nodes(c);
       const Q1::SimplexShape<dim> shape(vertices);
       SimplexCut::cut_in_space<dim>(
-        shape, phi, [&](const auto &piece, const auto &) {
+        shape, phi, [&](const auto &piece, const auto &, const auto &) {
           auto      &phase  = integrals[piece.negative ? 0 : 1];
           const auto values = shape.values(piece.simplex, piece.middle);
           phase.volume += piece.measure;

@@ -21,6 +21,13 @@ namespace Thalweg
     virtual void
     declare_parameters(const Section &section) = 0;
 
+    /// Whether the pressure may have a jump at the interface.
+    virtual bool
+    takes_jumps() const
+    {
+      return false;
+    }
+
     /// Sets up for the present mesh, with zero fields; once for each mesh. What
     /// it refers to must outlive the solver, or its next initialize().
     virtual void

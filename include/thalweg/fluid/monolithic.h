@@ -22,6 +22,12 @@ namespace Thalweg
     void
     declare_parameters(const Section &section) override;
 
+    bool
+    takes_jumps() const override
+    {
+      return true;
+    }
+
     void
     initialize(const FlowSetup<dim> &setup) override;
 

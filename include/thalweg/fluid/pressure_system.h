@@ -99,8 +99,9 @@ namespace Thalweg
      *   velocity are left out
      * @param with_forces whether body forces act
      * @param pressure is subtracted; nullptr: none
-     * @param cell_factors what each owned cell's part is multiplied by;
-     *   nullptr: 1
+     * @param cell_factors what each owned cell's part is multiplied by: then
+     *   functions with jumps have (grad q, r) on both sides; nullptr: 1, and
+     *   they have -(q, div r)
      */
     void
     add_residual(const Vector              &rate,
@@ -222,6 +223,13 @@ namespace Thalweg
     subtract_star_outflow(const unsigned int                         cell,
                           const std::array<double, dim *(1 << dim)> &field,
                           Load &load) const;
+
+    /// Subtracts int q r . n over the interface, of the jumps of q: from -(q,
+    /// div r) to (grad q, r) on both sides.
+    void
+    subtract_jumps(const CutCell<dim>                        &cut,
+                   const std::array<double, dim *(1 << dim)> &field,
+                   Load                                      &load) const;
 
     /**
      * (grad q, g + f/rho). The mean of the field at

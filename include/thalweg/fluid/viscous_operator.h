@@ -112,6 +112,19 @@ namespace Thalweg
     kinematic_viscosity_of_lightest(const unsigned int cell) const;
 
   private:
+    /// A cell in which both sides are integrated by themselves, or nullptr.
+    const CutCell<dim> *
+    cell_with_jumps(const unsigned int cell) const;
+
+    /**
+     * @brief K of a cell where the pressure may jump: each side has its own
+     * viscosity, so that the jump of the stress is exactly that of the
+     * pressure, but for shear across the interface, which has the harmonic
+     * mean on both.
+     */
+    CellMatrix
+    matrix_of_sides(const unsigned int cell, const CutCell<dim> &cut) const;
+
     /// Pa s
     double
     fluid_viscosity(const unsigned int fluid, const unsigned int cell) const;

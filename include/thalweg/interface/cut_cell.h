@@ -8,9 +8,18 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <vector>
 
 namespace Thalweg
 {
+  /// What the pressure has in cut cells besides the Q1 functions.
+  enum class Enrichment
+  {
+    none,
+    gradient,     ///< a kink: N_j psi
+    discontinuous ///< a jump: N_j (H - H_j)
+  };
+
   /**
    * @brief The integrals of a cell that two fluids share.
    *
@@ -22,6 +31,11 @@ namespace Thalweg
    * every mesh, a cell beside a cut hanging face has a psi too although the
    * interface does not pass through it, and psi is continuous: it vanishes
    * wherever there is no kink.
+   *
+   * Or, in place of N_j psi, the functions N_j (H - H_j), where H is 0 in fluid
+   * 0 and 1 in fluid 1, and H_j its value at vertex j: with the N_j they are
+   * all Q1 functions of both sides (Fig. 16b), and their gradients are those
+   * on the sides. They are continuous from cell to cell where no node hangs.
    */
   template <int dim>
   struct CutCell
@@ -44,8 +58,15 @@ namespace Thalweg
     PerVertex<PerVertex<double>> laplace_star_star;
     /// [j][i]: int N_j psi grad N_i
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_divergence;
-    /// [i][j]: int N_i grad(N_j psi)
+    /// [i][j]: int N_i grad(N_j psi), with what a jump has at the interface
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_gradient;
+    /// [n_vertices * i + j]: int N_i N_j n over the interface; empty where
+    /// there are no jumps
+    std::vector<dealii::Tensor<1, dim>> star_jump;
+    /// [n_vertices * i + j]: int grad N_i x grad N_j in fluid 1; likewise
+    std::vector<dealii::Tensor<2, dim>> second_gradients;
+    /// [j][k]: of laplace_star_star with what jumps move, for preconditioners
+    PerVertex<PerVertex<double>> star_response;
     /// [j]: int (N_j psi)^2, and int N_j^2 psi
     PerVertex<double> star_mass, mixed_mass;
     /// [j]: int grad(N_j psi)
@@ -70,8 +91,8 @@ namespace Thalweg
    * @param w what sum N_v w_v - |phi| subtracts from, see CutCell
    * @param length of psi, the same for all cells
    * @param fluids densities and viscosities
-   * @param enrich whether to fill the enrichment; it stays off too where psi
-   *   is too small to matter
+   * @param enrichment to fill; it stays off too where its functions are too
+   *   small to matter
    */
   template <int dim>
   CutCell<dim>
@@ -81,7 +102,7 @@ namespace Thalweg
                      const std::array<double, (1 << dim)> &w,
                      const double                          length,
                      const Fluids                         &fluids,
-                     const bool                            enrich);
+                     const Enrichment                      enrichment);
 
   /// The volume of the part of a cell where the level set with the values
   /// @p phi at the vertices is negative.

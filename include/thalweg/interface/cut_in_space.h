@@ -22,8 +22,9 @@ namespace Thalweg
     };
 
     /**
-     * @brief Calls @p visit(piece, simplex) for pieces that fill a cell of any
-     * shape, each on one side of the interface.
+     * @brief Calls @p visit(piece, simplex, part) for pieces that fill a cell
+     * of any shape, each on one side of the interface; @p part is the piece in
+     * the simplex's barycentric coordinates 1 to dim.
      * @param shape the cell
      * @param phi the level set at its vertices
      */
@@ -59,7 +60,7 @@ namespace Thalweg
               }
             for (unsigned int d = 0; d < dim; ++d)
               piece.middle[0] -= piece.middle[d + 1];
-            visit(piece, simplex);
+            visit(piece, simplex, part);
           });
         }
     }

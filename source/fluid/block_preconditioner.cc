@@ -41,6 +41,7 @@ namespace Thalweg
       parts.space.interpolate(pressure.block(b), 1);
     system.find_gradient(pressure, gradient);
     gradient.zero_out_ghost_values();
+    system.add_jumps(pressure, gradient);
     gradient.add(system.momentum_scale(), velocity(rows));
     const Vector &masses = parts.mass.lumped();
     for (unsigned int n = 0; n < masses.locally_owned_size(); ++n)

@@ -108,6 +108,19 @@ namespace Thalweg
 
   template <int dim>
   void
+  CoupledSystem<dim>::add_jumps(const EnrichedPressure &pressure,
+                                Vector                 &result) const
+  {
+    friction = 0.;
+    parts.pressure.subtract_jump_forces(pressure, friction);
+    finish_friction(1.);
+    result.add(1., friction);
+  }
+
+
+
+  template <int dim>
+  void
   CoupledSystem<dim>::accelerate(const EnrichedPressure &pressure,
                                  Vector                 &result) const
   {
@@ -132,6 +145,15 @@ namespace Thalweg
     parts.viscous.subtract_viscous_force(velocity_, friction);
     if (with_tangent && tangent_factor > 0.)
       parts.shear.subtract_tangent(velocity_, tangent_factor, friction);
+    finish_friction(factor);
+  }
+
+
+
+  template <int dim>
+  void
+  CoupledSystem<dim>::finish_friction(const double factor) const
+  {
     parts.space.fold(friction, dim);
     friction.zero_out_ghost_values();
     const Vector &inverse = parts.mass.inverse_lumped();
@@ -254,13 +276,14 @@ namespace Thalweg
     Vector &rows = velocity(residual);
     rows.copy_locally_owned_data_from(acceleration);
     rows.add(1., friction);
+    find_balance(acceleration, change);
+    add_jumps(pressure, rows);
     finish_momentum(rows);
     rows.add(-1. / (dt * scales[0]), change);
     clear_dependent(rows);
 
     load = 0.;
     parts.pressure.add_residual(change, false, nullptr, nullptr, load);
-    find_balance(acceleration, change);
     add_stabilization(true, pressure);
     parts.pressure.subtract_outflow(rate, impulse_times, load);
     work.zero_out_ghost_values();
@@ -291,6 +314,8 @@ namespace Thalweg
     Vector &rows = velocity(result);
     rows.copy_locally_owned_data_from(acceleration);
     rows.add(1., friction);
+    find_balance(acceleration, work);
+    add_jumps(pressure_work, rows);
     rows *= -1.;
     finish_momentum(rows);
     // of w / dt itself, which nothing deflects
@@ -299,7 +324,6 @@ namespace Thalweg
 
     load = 0.;
     parts.pressure.add_residual(work, false, nullptr, nullptr, load);
-    find_balance(acceleration, work);
     add_stabilization(false, pressure_work);
     finish(-1., result);
   }

@@ -129,8 +129,6 @@ namespace Thalweg
                       cut->star_gradient[v][j][d] * a[dim * v + d];
               }
           }
-        if (cut && cut->enriched)
-          subtract_jumps(*cut, a, load);
         integrals.add_divergence(geometry, a, load.nodal);
       }
     for (unsigned int v = 0; v < load.nodal.size(); ++v)
@@ -205,7 +203,9 @@ namespace Thalweg
         add_divergence(c, rate, load);
         const CutCell<dim> *cut = enriched_cell(c);
         if (cut && cell_factors)
-          subtract_jumps(*cut, gather_velocity<dim>(rate, space.nodes(c)), load);
+          subtract_jumps(*cut,
+                         gather_velocity<dim>(rate, space.nodes(c)),
+                         load);
         if (with_forces)
           add_forces(c, load);
         if (pressure)
@@ -351,6 +351,27 @@ namespace Thalweg
           for (unsigned int d = 0; d < dim; ++d)
             force.local_element(dim * nodes[v] + d) -= result[dim * v + d];
       }
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::subtract_jump_forces(const EnrichedPressure &pressure,
+                                            Vector                 &force) const
+  {
+    constexpr unsigned int n = 1 << dim;
+    for (const CutCell<dim> &cut : phase.cut_cells())
+      if (cut.enriched && !cut.star_jump.empty())
+        {
+          const auto &nodes = space.nodes(cut.cell);
+          const auto  q     = gather<dim>(star(pressure), nodes);
+          for (unsigned int i = 0; i < n; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              for (unsigned int d = 0; d < dim; ++d)
+                force.local_element(dim * nodes[i] + d) -=
+                  cut.star_jump[n * i + j][d] * q[j];
+        }
   }
 
 

@@ -117,9 +117,9 @@ namespace Thalweg
   ViscousOperator<dim>::cell_with_jumps(const unsigned int cell) const
   {
     const int index = phase.cut_index(cell);
-    return index >= 0 && !phase.cut_cells()[index].second_gradients.empty() ?
-             &phase.cut_cells()[index] :
-             nullptr;
+    return index >= 0 && !phase.cut_cells()[index].second_gradients.empty()
+             ? &phase.cut_cells()[index]
+             : nullptr;
   }
 
 
@@ -131,8 +131,8 @@ namespace Thalweg
   {
     constexpr unsigned int n_vertices = 1 << dim;
     using Tensor                      = dealii::Tensor<2, dim>;
-    const double          harmonic    = cell_viscosity(cell).harmonic;
-    const auto           &normal      = cut.normal;
+    const double harmonic             = cell_viscosity(cell).harmonic;
+    const auto  &normal               = cut.normal;
     std::array<Tensor, n_vertices * n_vertices> whole;
     for (unsigned int q = 0; q < gauss.n_points; ++q)
       {
@@ -150,8 +150,8 @@ namespace Thalweg
                               const Tensor      &T,
                               const double       viscosity) {
       const double trace = dealii::trace(T);
-      Tensor       sum   = viscosity * (trace * dealii::unit_symmetric_tensor<dim>() +
-                              transpose(T));
+      Tensor sum = viscosity * (trace * dealii::unit_symmetric_tensor<dim>() +
+                                transpose(T));
       if (!at_wall[cell])
         {
           const auto   T_n = T * normal, n_T = normal * T;

@@ -16,6 +16,12 @@ namespace Thalweg
 
 
 
+    /// A side with less than this part of a cell has no pressure of its own
+    /// there, but that of the nodes, which is wrong beside a jump.
+    constexpr double least_side = 1e-3;
+
+
+
     template <int dim>
     using Vectors = std::array<dealii::Tensor<1, dim>, (1 << dim)>;
 
@@ -173,7 +179,7 @@ namespace Thalweg
       SimplexCut::Simplex<dim> coordinate = piece;
       coordinate.phi.fill(0.);
       coordinate.phi[opposite] = 1.;
-      const auto side = (-1. * dim * SimplexCut::measure(piece)) *
+      const auto side          = (-1. * dim * SimplexCut::measure(piece)) *
                         SimplexCut::gradient(coordinate);
       for (const auto &[weights, weight] : side_quadrature<dim>())
         {
@@ -318,7 +324,7 @@ namespace Thalweg
       std::array<double, (1 << dim)>       phi;
       std::array<double, (1 << dim)>       w;
       const Fluids                        &fluids;
-      Enrichment                           enrichment;
+      PressureEnrichment                   enrichment;
     };
 
 
@@ -338,7 +344,7 @@ namespace Thalweg
     {
       const double density = task.fluids[negative ? 0 : 1].density;
       add_point(cut, point, weight, density);
-      if (task.enrichment == Enrichment::gradient)
+      if (task.enrichment == PressureEnrichment::gradient)
         {
           const double sign          = negative ? -1. : 1.;
           const auto   kink_gradient = sign * gradient;
@@ -351,7 +357,7 @@ namespace Thalweg
           for (unsigned int i = 0; i < sums.kink.size(); ++i)
             sums.kink[i] += (weight * point.values[i]) * kink_gradient;
         }
-      if (task.enrichment == Enrichment::discontinuous)
+      if (task.enrichment == PressureEnrichment::discontinuous)
         {
           add_enrichment(cut,
                          point,
@@ -401,7 +407,7 @@ namespace Thalweg
                              value,
                              point.covariant * reference_gradient);
               }
-            if (task.enrichment == Enrichment::discontinuous)
+            if (task.enrichment == PressureEnrichment::discontinuous)
               for_each_interface_point(
                 piece, [&](const dealii::Point<dim> &xi, const auto &vector) {
                   const auto point = at(xi);
@@ -442,7 +448,7 @@ namespace Thalweg
                        piece.negative,
                        piece.phi,
                        gradient);
-          if (task.enrichment == Enrichment::discontinuous)
+          if (task.enrichment == PressureEnrichment::discontinuous)
             for_each_interface_point(
               part, [&](const dealii::Point<dim> &b, const auto &vector) {
                 std::array<double, dim + 1> barycentric{{1.}};
@@ -467,7 +473,7 @@ namespace Thalweg
     /**
      * @brief Lets jumps be integrated as exactly as the standard functions:
      * what fluid 0 has is what fluid 1 does not have of the whole cell. Adds
-     * what the interface has, and what jumps move.
+     * what jumps move.
      */
     template <int dim>
     void
@@ -482,11 +488,8 @@ namespace Thalweg
           one[j]           = 1.;
           const auto whole = continuous_gradient<dim>(task.cell, one);
           for (unsigned int i = 0; i < n; ++i)
-            {
-              if (task.phi[j] >= 0)
-                cut.star_gradient[i][j] -= whole[i] - sums.gradient[i][j];
-              cut.star_gradient[i][j] += cut.star_jump[n * i + j];
-            }
+            if (task.phi[j] >= 0)
+              cut.star_gradient[i][j] -= whole[i] - sums.gradient[i][j];
         }
       // What jumps move: with the masses of this cell alone they move more.
       for (unsigned int j = 0; j < n; ++j)
@@ -539,7 +542,7 @@ namespace Thalweg
                      const std::array<double, (1 << dim)> &w_in,
                      const double                          length,
                      const Fluids                         &fluids,
-                     const Enrichment                      enrichment)
+                     const PressureEnrichment              enrichment)
   {
     constexpr unsigned int n = 1 << dim;
     CutCell<dim>           cut{};
@@ -551,7 +554,7 @@ namespace Thalweg
         task.w[v] /= length;
       }
     set_laminate(cut, cell, task.phi, fluids);
-    if (enrichment == Enrichment::discontinuous)
+    if (enrichment == PressureEnrichment::discontinuous)
       {
         cut.star_jump.resize(n * n);
         cut.second_gradients.resize(n * n);
@@ -569,10 +572,10 @@ namespace Thalweg
           cut.mass_matrix[j][i]       = cut.mass_matrix[i][j];
           cut.laplace_star_star[j][i] = cut.laplace_star_star[i][j];
         }
-    if (enrichment == Enrichment::none)
+    if (enrichment == PressureEnrichment::none)
       return cut;
     cut.star_response = cut.laplace_star_star;
-    if (enrichment == Enrichment::gradient)
+    if (enrichment == PressureEnrichment::gradient)
       balance_uniform_kink(cut, sums.kink, cell, task.w);
     else
       finish_jumps(cut, task, sums);
@@ -582,7 +585,10 @@ namespace Thalweg
         trace += cut.laplace[i][i];
         star_trace += cut.laplace_star_star[i][i];
       }
-    cut.enriched = star_trace > negligible * trace;
+    cut.enriched = star_trace > negligible * trace &&
+                   (enrichment == PressureEnrichment::gradient ||
+                    (cut.negative_fraction > least_side &&
+                     cut.negative_fraction < 1. - least_side));
     return cut;
   }
 
@@ -622,7 +628,7 @@ namespace Thalweg
                         const std::array<double, 4> &,
                         const double,
                         const Fluids &,
-                        const Enrichment);
+                        const PressureEnrichment);
   template CutCell<3>
   integrate_cut_cell<3>(const unsigned int,
                         const CellGraph<3>::Cell &,
@@ -630,7 +636,7 @@ namespace Thalweg
                         const std::array<double, 8> &,
                         const double,
                         const Fluids &,
-                        const Enrichment);
+                        const PressureEnrichment);
   template double
   negative_volume<2>(const CellGraph<2>::Cell &, const std::array<double, 4> &);
   template double

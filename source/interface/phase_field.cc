@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Thalweg
 {
@@ -32,16 +33,18 @@ namespace Thalweg
                 "varies along the interface as the slope of the projected "
                 "level set does, and drives the lighter fluid (only to show "
                 "the difference).");
-    section.add("Enrichment",
-                enrichment,
-                "",
-                "How the pressure is enriched in cells that the interface "
-                "cuts: with a kink in its gradient; with a jump, for fluids "
-                "whose friction differs (`discontinuous`, for "
-                "'Fluid solver/Model = monolithic' and meshes without hanging "
-                "nodes at the interface); or not at all (only to show the "
-                "difference).",
-                dealii::Patterns::Selection("discontinuous|gradient|none"));
+    section.add(
+      "Enrichment",
+      enrichment,
+      "",
+      "How the pressure is enriched in cells that the interface "
+      "cuts: with a kink in its gradient; with jumps, as fluids whose "
+      "friction differs have them (`discontinuous`, for "
+      "'Fluid solver/Model = monolithic' and meshes without hanging "
+      "nodes at the interface; for studies: exact while no side has "
+      "less than a thousandth of a cell, and many iterations); or "
+      "not at all (only to show the difference).",
+      dealii::Patterns::Selection("discontinuous|gradient|none"));
   }
 
 
@@ -278,13 +281,37 @@ namespace Thalweg
 
   template <int dim>
   void
+  PhaseField<dim>::refuse_hanging_nodes() const
+  {
+    for (const CutLevelSet &level_set : level_sets)
+      for (const unsigned int node : space.nodes(level_set.cell))
+        {
+          const auto [first, end] = space.hanging_masters(node);
+          if (first == end)
+            continue;
+          std::ostringstream message;
+          message << "The interface passes a cell with a hanging node near ("
+                  << space.position(node)
+                  << "), where the pressure of 'Interface/Enrichment = "
+                     "discontinuous' cannot jump. Refine the mesh evenly "
+                     "around the interface, or write 'gradient'.";
+          throw dealii::ExcMessage(message.str());
+        }
+  }
+
+
+
+  template <int dim>
+  void
   PhaseField<dim>::integrate_cuts() const
   {
     cuts.reserve(level_sets.size());
-    const Enrichment enrichment =
-      parameters.enrichment == "none"     ? Enrichment::none :
-      parameters.enrichment == "gradient" ? Enrichment::gradient :
-                                            Enrichment::discontinuous;
+    const PressureEnrichment enrichment =
+      parameters.enrichment == "none"       ? PressureEnrichment::none
+      : parameters.enrichment == "gradient" ? PressureEnrichment::gradient
+                                            : PressureEnrichment::discontinuous;
+    if (enrichment == PressureEnrichment::discontinuous)
+      refuse_hanging_nodes();
     for (const CutLevelSet &level_set : level_sets)
       cuts.push_back(
         integrate_cut_cell<dim>(level_set.cell,

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid/solver_scene.h"
+#include "support/complaint.h"
 #include "support/dimensions.h"
 #include "support/meshes.h"
 
@@ -197,4 +198,113 @@ TEST(MonolithicMpi2d, SteadyLayersOfTwoViscositiesAreExactAtTheNodes)
       }),
                 2e-3);
     }
+}
+
+
+
+namespace
+{
+  /// Fluids 10:1 that are stretched along the surface between them and
+  /// squeezed across it, given all around: n is the normal.
+  template <int dim>
+  struct Extension
+  {
+    Extension(const double angle, const double offset)
+      : offset(offset)
+    {
+      n[0]       = std::sin(angle);
+      n[dim - 1] = std::cos(angle);
+    }
+
+    double
+    level_set(const dealii::Point<dim> &x) const
+    {
+      return n * x - offset;
+    }
+
+    /// In each direction along the surface alike.
+    dealii::Tensor<1, dim>
+    velocity(const dealii::Point<dim> &x) const
+    {
+      return (x - dim * (n * x) * n) / (dim - 1.);
+    }
+
+    std::string
+    text() const
+    {
+      std::string scalar = "(", result;
+      for (unsigned int d = 0; d < dim; ++d)
+        scalar += (d == 0 ? "" : "+") + std::string(1, "xyz"[d]) + "*(" +
+                  std::to_string(n[d]) + ")";
+      scalar += ")";
+      for (unsigned int d = 0; d < dim; ++d)
+        result += (d == 0 ? "" : "; ") + std::string("(") + "xyz"[d] + "-" +
+                  std::to_string(dim) + "*" + scalar + "*(" +
+                  std::to_string(n[d]) + "))/" + std::to_string(dim - 1);
+      return result;
+    }
+
+    /// The greatest error of the velocity at the nodes.
+    double
+    error(const unsigned int n_cells, const std::string &enrichment) const
+    {
+      std::string all = "Velocity = ";
+      for (const char *side :
+           {"left", "right", "bottom", "top", "front", "back"})
+        if (dim == 3 || (side[0] != 'f' && side != std::string("back")))
+          all +=
+            std::string(all.back() == ' ' ? "" : " | ") + side + ": " + text();
+      SolverScene<dim> scene(unit_box<dim>(n_cells) +
+                               two_fluids(1., 1., 10., 1.) +
+                               section("Interface",
+                                       {"Enrichment = " + enrichment}) +
+                               section("Boundary conditions", {all}),
+                             "monolithic",
+                             "set Tolerance = 1e-10\n");
+      scene.initialize([this](const auto &x) { return level_set(x); });
+      scene.find_steady_flow();
+      return scene.velocity_error(
+        [this](const auto &x) { return velocity(x); });
+    }
+
+    dealii::Tensor<1, dim> n;
+    double                 offset;
+  };
+} // namespace
+
+
+
+// The pressure jumps by 2 (mu_1 - mu_2) du_n/dn. (Here no side has less than a
+// thousandth of a cell.)
+TYPED_TEST(MonolithicMpi, StretchedFluidsNeedAPressureThatJumps)
+{
+  constexpr int        dim = TypeParam::value;
+  const Extension<dim> flat(0., .53), oblique(dim == 2 ? .1 : .3, .53);
+  const unsigned int   n = dim == 2 ? 10 : 8;
+  EXPECT_LT(flat.error(n, "discontinuous"), 1e-8);
+  EXPECT_LT(oblique.error(n, "discontinuous"), 1e-5);
+  EXPECT_GT(oblique.error(n, "gradient"), 5e-3);
+}
+
+
+
+TEST(MonolithicMpi2d, JumpsAreSafeWhereverAFlatInterfaceIs)
+{
+  for (unsigned int i = 0; i < 40; ++i)
+    EXPECT_LT(Extension<2>(0., .4 + i / 400.).error(10, "discontinuous"), 1e-2)
+      << i;
+}
+
+
+
+TEST(MonolithicMpi2d, JumpsAtHangingNodesAreRefused)
+{
+  SolverScene<2> scene(hanging_box<2>(4) + two_fluids(10., 1., 1., .1) +
+                         section("Interface", {"Enrichment = discontinuous"}),
+                       "monolithic");
+  scene.initialize([](const auto &x) { return x[1] - .43; });
+  const auto complaint = complaint_of([&]() { scene.find_steady_flow(); });
+  const bool is_refused =
+    complaint.find("passes a cell with a hanging node") != std::string::npos;
+  EXPECT_EQ(dealii::Utilities::MPI::max(is_refused ? 1 : 0, MPI_COMM_WORLD), 1);
 }

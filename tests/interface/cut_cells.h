@@ -103,7 +103,7 @@ namespace CutCells
         nodal([&](const auto &x) { return std::abs(plane(x)); }, index),
         1.,
         this->fluids,
-        true);
+        PressureEnrichment::gradient);
     }
   };
 

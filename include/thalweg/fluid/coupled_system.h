@@ -106,9 +106,17 @@ namespace Thalweg
     void
     vmult(CoupledFlow &result, const CoupledFlow &flow) const;
 
-    /// result = -W G p, ghosted, m/s^2. @param pressure ghosted
+    /// result = -W G p, ghosted, m/s^2, without jumps. @param pressure ghosted
     void
     find_gradient(const EnrichedPressure &pressure, Vector &result) const;
+
+    /**
+     * @brief Adds -M^{-1} int N p n of jumps at the interface to the owned
+     * values: they balance friction, and so have its masses. Overwrites what
+     * has been found of friction.
+     */
+    void
+    add_jumps(const EnrichedPressure &pressure, Vector &result) const;
 
     /// What the rows of the momentum equation, in m/s^2, are divided by, and
     /// those of the other one.
@@ -157,6 +165,10 @@ namespace Thalweg
     find_friction(const Vector &velocity_,
                   const double  factor,
                   const bool    with_tangent = false) const;
+
+    /// From forces of this rank's cells to accelerations, in `friction`.
+    void
+    finish_friction(const double factor) const;
 
     /// Dependent nodes have no rows.
     void

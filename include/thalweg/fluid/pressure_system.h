@@ -140,9 +140,14 @@ namespace Thalweg
     void
     precondition(Vector &result, Vector &load) const;
 
-    /// Subtracts int N_i grad p in N, of this rank's cells; not folded.
+    /// Subtracts int N_i grad p in N, on both sides where the pressure jumps,
+    /// of this rank's cells; not folded.
     void
     subtract_gradient(const EnrichedPressure &pressure, Vector &force) const;
+
+    /// Subtracts int N_i p n over the interface, of jumps; likewise.
+    void
+    subtract_jump_forces(const EnrichedPressure &pressure, Vector &force) const;
 
     /// Adds int N_i f of the force density, of this rank's cells; not folded.
     void

@@ -13,7 +13,7 @@
 namespace Thalweg
 {
   /// What the pressure has in cut cells besides the Q1 functions.
-  enum class Enrichment
+  enum class PressureEnrichment
   {
     none,
     gradient,     ///< a kink: N_j psi
@@ -58,7 +58,7 @@ namespace Thalweg
     PerVertex<PerVertex<double>> laplace_star_star;
     /// [j][i]: int N_j psi grad N_i
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_divergence;
-    /// [i][j]: int N_i grad(N_j psi), with what a jump has at the interface
+    /// [i][j]: int N_i grad(N_j psi), on both sides of a jump
     PerVertex<PerVertex<dealii::Tensor<1, dim>>> star_gradient;
     /// [n_vertices * i + j]: int N_i N_j n over the interface; empty where
     /// there are no jumps
@@ -102,7 +102,7 @@ namespace Thalweg
                      const std::array<double, (1 << dim)> &w,
                      const double                          length,
                      const Fluids                         &fluids,
-                     const Enrichment                      enrichment);
+                     const PressureEnrichment              enrichment);
 
   /// The volume of the part of a cell where the level set with the values
   /// @p phi at the vertices is negative.

@@ -196,6 +196,10 @@ namespace Thalweg
     void
     build_cells();
 
+    /// Refuses cut cells with hanging nodes. @throws dealii::ExcMessage
+    void
+    refuse_hanging_nodes() const;
+
     void
     integrate_cuts() const;
 

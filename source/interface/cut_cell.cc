@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/interface/cut_cell.h>
+#include <thalweg/interface/cut_enrichment.h>
 #include <thalweg/interface/cut_in_space.h>
+#include <thalweg/interface/interface_quadrature.h>
 #include <thalweg/materials/laminate.h>
 
 #include <algorithm>
@@ -19,208 +21,6 @@ namespace Thalweg
     /// A side with less than this part of a cell has no pressure of its own
     /// there, but that of the nodes, which is wrong beside a jump.
     constexpr double least_side = 1e-3;
-
-
-
-    template <int dim>
-    using Vectors = std::array<dealii::Tensor<1, dim>, (1 << dim)>;
-
-
-
-    /// The enrichment's functions at a quadrature point: N_j times a factor.
-    template <int dim>
-    struct Star
-    {
-      std::array<double, (1 << dim)> factors;
-      Vectors<dim>                   gradients;
-    };
-
-
-
-    /// N_j psi, from |phi| and its gradient.
-    template <int dim>
-    Star<dim>
-    kink_functions(const Q1::Point<dim>                 &point,
-                   const std::array<double, (1 << dim)> &w,
-                   const double                          absolute_phi,
-                   const dealii::Tensor<1, dim>         &absolute_gradient)
-    {
-      double                 psi      = -absolute_phi;
-      dealii::Tensor<1, dim> grad_psi = -absolute_gradient;
-      for (unsigned int v = 0; v < w.size(); ++v)
-        {
-          psi += w[v] * point.values[v];
-          grad_psi += w[v] * point.gradients[v];
-        }
-      Star<dim> star;
-      for (unsigned int j = 0; j < w.size(); ++j)
-        {
-          star.factors[j] = psi;
-          star.gradients[j] =
-            point.values[j] * grad_psi + psi * point.gradients[j];
-        }
-      return star;
-    }
-
-
-
-    /// N_j (H - H_j) where fluid 1 is, or not.
-    template <int dim>
-    Star<dim>
-    jump_functions(const Q1::Point<dim>                 &point,
-                   const std::array<double, (1 << dim)> &phi,
-                   const bool                            negative)
-    {
-      Star<dim> star;
-      for (unsigned int j = 0; j < phi.size(); ++j)
-        {
-          const double factor = (negative ? 0. : 1.) - (phi[j] < 0 ? 0. : 1.);
-          star.factors[j]     = factor;
-          star.gradients[j]   = factor * point.gradients[j];
-        }
-      return star;
-    }
-
-
-
-    /// Adds the integrals of the enrichment at one quadrature point, of the
-    /// symmetric matrix only what is not above the diagonal.
-    template <int dim>
-    void
-    add_enrichment(CutCell<dim>         &cut,
-                   const Q1::Point<dim> &point,
-                   const Star<dim>      &star,
-                   const double          weight,
-                   const double          density)
-    {
-      constexpr unsigned int n       = 1 << dim;
-      const double           inverse = weight / density;
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          const double value = weight * point.values[i];
-          for (unsigned int j = 0; j < n; ++j)
-            {
-              cut.laplace_star[i][j] +=
-                inverse * (point.gradients[i] * star.gradients[j]);
-              cut.star_divergence[i][j] +=
-                (value * star.factors[i]) * point.gradients[j];
-              cut.star_gradient[i][j] += value * star.gradients[j];
-            }
-          for (unsigned int j = 0; j <= i; ++j)
-            cut.laplace_star_star[i][j] +=
-              inverse * (star.gradients[i] * star.gradients[j]);
-          const double square = value * point.values[i] * star.factors[i];
-          cut.star_mass[i] += square * star.factors[i];
-          cut.mixed_mass[i] += square;
-          cut.star_load[i] += weight * star.gradients[i];
-          cut.star_inverse_load[i] += inverse * star.gradients[i];
-        }
-    }
-
-
-
-    /// Quadrature on the side of a simplex, by the weights of its corners.
-    template <int dim>
-    const std::vector<std::pair<std::array<double, dim>, double>> &
-    side_quadrature();
-
-    template <>
-    const std::vector<std::pair<std::array<double, 2>, double>> &
-    side_quadrature<2>()
-    {
-      static const double x = .5 * (1. - std::sqrt(.6));
-      static const std::vector<std::pair<std::array<double, 2>, double>> rule{
-        {{{x, 1. - x}}, 5. / 18.},
-        {{{.5, .5}}, 8. / 18.},
-        {{{1. - x, x}}, 5. / 18.}};
-      return rule;
-    }
-
-    template <>
-    const std::vector<std::pair<std::array<double, 3>, double>> &
-    side_quadrature<3>()
-    {
-      // D. Dunavant, Int. J. Numer. Methods Eng. 21, 1985, degree 4
-      constexpr double a = .445948490915965, b = .091576213509771;
-      constexpr double at_a = .223381589678011, at_b = .109951743655322;
-      static const std::vector<std::pair<std::array<double, 3>, double>> rule{
-        {{{a, a, 1. - 2. * a}}, at_a},
-        {{{a, 1. - 2. * a, a}}, at_a},
-        {{{1. - 2. * a, a, a}}, at_a},
-        {{{b, b, 1. - 2. * b}}, at_b},
-        {{{b, 1. - 2. * b, b}}, at_b},
-        {{{1. - 2. * b, b, b}}, at_b}};
-      return rule;
-    }
-
-
-
-    /**
-     * @brief Calls @p visit(point, vector) for a quadrature of the side of a
-     * piece of fluid 0 that lies on the interface, if it has one.
-     *
-     * With the gradient g of the barycentric coordinate of the opposite corner
-     * the vector of a side is -dim times the simplex's measure times g; here in
-     * the coordinates of the piece.
-     */
-    template <int dim, typename Visitor>
-    void
-    for_each_interface_point(const SimplexCut::Simplex<dim> &piece,
-                             const Visitor                  &visit)
-    {
-      unsigned int opposite = 0, n_zeros = 0;
-      for (unsigned int c = 0; c < dim + 1; ++c)
-        if (piece.phi[c] == 0.)
-          ++n_zeros;
-        else
-          opposite = c;
-      if (n_zeros != dim || !(piece.phi[opposite] < 0.))
-        return;
-      SimplexCut::Simplex<dim> coordinate = piece;
-      coordinate.phi.fill(0.);
-      coordinate.phi[opposite] = 1.;
-      const auto side          = (-1. * dim * SimplexCut::measure(piece)) *
-                        SimplexCut::gradient(coordinate);
-      for (const auto &[weights, weight] : side_quadrature<dim>())
-        {
-          dealii::Point<dim> point;
-          for (unsigned int c = 0, i = 0; c < dim + 1; ++c)
-            if (c != opposite)
-              point += weights[i++] * dealii::Tensor<1, dim>(piece.corners[c]);
-          visit(point, weight * side);
-        }
-    }
-
-
-
-    /// Adds N_i N_j n at a point of the interface.
-    template <int dim>
-    void
-    add_jump(CutCell<dim>                         &cut,
-             const std::array<double, (1 << dim)> &values,
-             const dealii::Tensor<1, dim>         &vector)
-    {
-      constexpr unsigned int n = 1 << dim;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          cut.star_jump[n * i + j] += (values[i] * values[j]) * vector;
-    }
-
-
-
-    /// Adds what is needed of a piece with jumps besides.
-    template <int dim>
-    void
-    add_second_gradients(CutCell<dim>         &cut,
-                         const Q1::Point<dim> &point,
-                         const double          weight)
-    {
-      constexpr unsigned int n = 1 << dim;
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          cut.second_gradients[n * i + j] +=
-            outer_product(weight * point.gradients[i], point.gradients[j]);
-    }
 
 
 
@@ -246,38 +46,6 @@ namespace Thalweg
                 weight * density * point.values[i] * point.values[j];
             }
         }
-    }
-
-
-
-    /// int N_i grad(sum_v N_v w_v) with a rule that is exact for it, as the
-    /// pressure gradient of the standard functions is integrated.
-    template <int dim>
-    Vectors<dim>
-    continuous_gradient(const typename CellGraph<dim>::Cell  &cell,
-                        const std::array<double, (1 << dim)> &w)
-    {
-      static const Q1::Gauss<dim> gauss;
-      Vectors<dim>                result;
-      const auto                  add =
-        [&](const auto &values, const auto &gradients, const double weight) {
-          dealii::Tensor<1, dim> gradient;
-          for (unsigned int v = 0; v < w.size(); ++v)
-            gradient += w[v] * gradients[v];
-          for (unsigned int i = 0; i < w.size(); ++i)
-            result[i] += (weight * values[i]) * gradient;
-        };
-      if (!Q1::is_parallelepiped<dim>(cell))
-        Q1::SimplexShape<dim>(cell.vertices).for_each(add);
-      else
-        for (unsigned int q = 0; q < gauss.n_points; ++q)
-          {
-            const auto point = gauss.evaluate(cell, q);
-            add(point.values,
-                point.gradients,
-                gauss.weight * point.determinant);
-          }
-      return result;
     }
 
 
@@ -594,33 +362,6 @@ namespace Thalweg
 
 
 
-  template <int dim>
-  double
-  negative_volume(const typename CellGraph<dim>::Cell  &cell,
-                  const std::array<double, (1 << dim)> &phi)
-  {
-    if (cell.axis_parallel)
-      return cell.measure * SimplexCut::negative_fraction<dim>(phi);
-    const auto [smallest, largest] =
-      std::minmax_element(phi.begin(), phi.end());
-    if (*smallest >= 0)
-      return 0.;
-    if (*largest <= 0)
-      return cell.measure;
-    double volume = 0;
-    SimplexCut::cut_in_space<dim>(Q1::SimplexShape<dim>(cell.vertices),
-                                  phi,
-                                  [&volume](const auto &piece,
-                                            const auto &,
-                                            const auto &) {
-                                    if (piece.negative)
-                                      volume += piece.measure;
-                                  });
-    return volume;
-  }
-
-
-
   template CutCell<2>
   integrate_cut_cell<2>(const unsigned int,
                         const CellGraph<2>::Cell &,
@@ -637,8 +378,4 @@ namespace Thalweg
                         const double,
                         const Fluids &,
                         const PressureEnrichment);
-  template double
-  negative_volume<2>(const CellGraph<2>::Cell &, const std::array<double, 4> &);
-  template double
-  negative_volume<3>(const CellGraph<3>::Cell &, const std::array<double, 8> &);
 } // namespace Thalweg

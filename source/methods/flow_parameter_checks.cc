@@ -62,14 +62,13 @@ namespace Thalweg
   {
     collect_fault(faults, [this]() { fluids.check(); });
     collect_fault(faults, [this]() {
-      AssertThrow(interface.enrichment != "discontinuous" ||
-                    fluid_solver->takes_jumps(),
-                  dealii::ExcMessage(
-                    "'Interface/Enrichment' is 'discontinuous', but the "
-                    "pressure of 'Fluid solver/Model = " +
-                    fluid_solver.model_name() +
-                    "' has no jumps. Write 'gradient', or choose "
-                    "'monolithic'."));
+      AssertThrow(
+        interface.enrichment != "discontinuous" || fluid_solver->takes_jumps(),
+        dealii::ExcMessage("'Interface/Enrichment' is 'discontinuous', but the "
+                           "pressure of 'Fluid solver/Model = " +
+                           fluid_solver.model_name() +
+                           "' has no jumps. Write 'gradient', or choose "
+                           "'monolithic'."));
     });
     collect_fault(faults, [this]() {
       AssertThrow(heeds_viscosities || !computes_flow ||

@@ -236,8 +236,8 @@ TYPED_TEST(CutCellTest, WithEqualDensitiesItIsAnOrdinaryCell)
   for (unsigned int c = 0; c < cells.mesh.graph().n_owned_cells(); ++c)
     {
       const auto phi = cells.nodal(plane, c);
-      const auto cut =
-        integrate_cut_cell<dim>(c, cells.cell(c), phi, phi, 1., alike, PressureEnrichment::none);
+      const auto cut = integrate_cut_cell<dim>(
+        c, cells.cell(c), phi, phi, 1., alike, PressureEnrichment::none);
       const auto measure = integrals.node_measures(cells.cell(c));
       const auto laplace = integrals.laplace(cells.cell(c));
       EXPECT_FALSE(cut.enriched);

@@ -144,7 +144,8 @@ check_hydrostatic_balance(const double offset)
       // p = -rho |g|^2 phi on each side
       p[v] = -(phi[v] < 0 ? rho[0] : rho[1]) * g.norm_square() * phi[v];
     }
-  const auto cut = integrate_cut_cell<dim>(0, cell, phi, w, .1, fluids, PressureEnrichment::gradient);
+  const auto cut = integrate_cut_cell<dim>(
+    0, cell, phi, w, .1, fluids, PressureEnrichment::gradient);
   ASSERT_TRUE(cut.enriched);
 
   // p = mean slope part + jump |phi| / 2, and |phi| = I w - psi length

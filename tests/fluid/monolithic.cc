@@ -15,6 +15,13 @@ namespace
   {};
   TYPED_TEST_SUITE(MonolithicMpi, Dimensions);
 
+  /// On one process: the blocks beside the interface are inverted by each
+  /// process for itself.
+  template <typename T>
+  class Monolithic1 : public testing::Test
+  {};
+  TYPED_TEST_SUITE(Monolithic1, Dimensions);
+
   constexpr double mu = .3;
 
   /// A flow of Stokes' equations, (0.3 friction) in the unit box.
@@ -145,7 +152,7 @@ TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
 
 
 
-TYPED_TEST(MonolithicMpi, NeedsFewIterationsWhateverTheFluids)
+TYPED_TEST(Monolithic1, NeedsFewIterationsWhateverTheFluids)
 {
   constexpr int dim = TypeParam::value;
   for (const auto &[rho, mu_1, mu_2] : {std::make_tuple(1., 1., 1.),
@@ -297,14 +304,13 @@ TEST(MonolithicMpi2d, JumpsAreSafeWhereverAFlatInterfaceIs)
 
 
 
-TEST(MonolithicMpi2d, JumpsAtHangingNodesAreRefused)
+TEST(Monolithic, RefusesJumpsAtHangingNodes)
 {
   SolverScene<2> scene(hanging_box<2>(4) + two_fluids(10., 1., 1., .1) +
                          section("Interface", {"Enrichment = discontinuous"}),
                        "monolithic");
   scene.initialize([](const auto &x) { return x[1] - .43; });
   const auto complaint = complaint_of([&]() { scene.find_steady_flow(); });
-  const bool is_refused =
-    complaint.find("passes a cell with a hanging node") != std::string::npos;
-  EXPECT_EQ(dealii::Utilities::MPI::max(is_refused ? 1 : 0, MPI_COMM_WORLD), 1);
+  EXPECT_NE(complaint.find("passes a cell with a hanging node"),
+            std::string::npos);
 }

@@ -60,20 +60,33 @@ install_packages() {
     fail "installing the packages failed; the lines above say why."
 }
 
-# Configures a build where there is none yet: its type, and options of CMake. A
-# build directory that the user configured otherwise is used as it is.
+# Configures a build: its type where there is none yet, and options of CMake.
+# All else in a build that exists stays as the user configured it.
 configure() {
-  [ ! -f "$BUILD/build.ninja" ] && [ ! -f "$BUILD/Makefile" ] || return 0
-  local log type=${1:-Release}
+  local log type=${1:-Release} options=("${@:2}")
+  if [ ! -f "$BUILD/build.ninja" ] && [ ! -f "$BUILD/Makefile" ]; then
+    options+=(-G Ninja -DCMAKE_BUILD_TYPE="$type")
+  elif has_options "${options[@]}"; then
+    return 0
+  fi
   log=$(mktemp)
   say "configuring a $type build in $BUILD"
-  if ! cmake -S "$ROOT" -B "$BUILD" -G Ninja -DCMAKE_BUILD_TYPE="$type" \
-    "${@:2}" >"$log" 2>&1; then
+  if ! cmake -S "$ROOT" -B "$BUILD" "${options[@]}" >"$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
     fail "configuring failed; the lines above say why."
   fi
   rm -f "$log"
+}
+
+# Whether $BUILD was configured with these options (-DNAME=VALUE).
+has_options() {
+  local option
+  for option; do
+    option=${option#-D}
+    grep -q "^${option%%=*}:[A-Z]*=${option#*=}\$" "$BUILD/CMakeCache.txt" ||
+      return 1
+  done
 }
 
 # Builds the given targets, all without any. Where there is nothing to do it

@@ -12,12 +12,7 @@ namespace Thalweg
     const typename CellGraph<dim>::Cell                            &cell,
     const std::array<std::array<double, n_components>, (1 << dim)> &values)
   {
-    dealii::Point<dim> center;
-    for (unsigned int d = 0; d < dim; ++d)
-      center[d] = .5;
-    const auto point = Q1::evaluate<dim>(cell,
-                                         Q1::values<dim>(center),
-                                         Q1::reference_gradients<dim>(center));
+    const auto point = Q1::middle<dim>(cell);
     std::array<dealii::Tensor<1, dim>, n_components> gradients;
     for (unsigned int v = 0; v < values.size(); ++v)
       for (int i = 0; i < n_components; ++i)

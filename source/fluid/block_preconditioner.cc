@@ -39,7 +39,7 @@ namespace Thalweg
 
     for (unsigned int b = 0; b < pressure.n_blocks(); ++b)
       parts.space.interpolate(pressure.block(b), 1);
-    system.find_gradient(pressure, gradient);
+    parts.pressure.accelerate(pressure, false, parts.mass, gradient);
     gradient.zero_out_ghost_values();
     system.add_jumps(pressure, gradient);
     gradient.add(system.momentum_scale(), velocity(rows));

@@ -275,11 +275,13 @@ namespace Thalweg
 
   template <int dim>
   SolveReport
-  CellProjection<dim>::solve(const double       tolerance,
-                             const double       smallest_residual,
+  CellProjection<dim>::solve(const Vector      &velocity,
+                             const double       tolerance,
                              const unsigned int maximum)
   {
-    const Vector     load(outflow);
+    const double smallest_residual = round_off(velocity);
+    find_outflow(velocity, outflow);
+    balance(outflow);
     const Iterations all = iterate(tolerance, smallest_residual, maximum);
     if (all.has_converged)
       return all.report;
@@ -289,7 +291,8 @@ namespace Thalweg
         std::to_string(maximum) +
         " iterations the velocity still changes by more than 'Divergence "
         "tolerance' of its whole change.");
-    outflow.copy_locally_owned_data_from(load);
+    find_outflow(velocity, outflow);
+    balance(outflow);
     SolveReport report = iterate(0., smallest_residual, all.best).report;
     report.iterations += all.report.iterations;
     return report;
@@ -303,10 +306,8 @@ namespace Thalweg
                                const double       tolerance,
                                const unsigned int maximum)
   {
-    find_outflow(velocity, outflow);
-    balance(outflow);
     find_diagonal();
-    SolveReport report = solve(tolerance, round_off(velocity), maximum);
+    SolveReport report = solve(velocity, tolerance, maximum);
     if (report.iterations > 0)
       {
         find_change(multiplier);

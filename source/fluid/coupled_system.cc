@@ -25,7 +25,8 @@ namespace Thalweg
     for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
       {
         const auto local = integrals.node_measures(graph.cell(c));
-        const auto point = middle(c);
+        const auto point = Q1::middle<dim>(graph.cell(c));
+        inverse_squares.push_back(point.covariant.norm_square() / dim);
         for (unsigned int i = 0; i < local.size(); ++i)
           {
             const unsigned int node = space.nodes(c)[i];
@@ -36,20 +37,6 @@ namespace Thalweg
       }
     space.fold(measures, 1);
     space.fold(extents, 1);
-  }
-
-
-
-  template <int dim>
-  Q1::Point<dim>
-  CoupledSystem<dim>::middle(const unsigned int cell) const
-  {
-    dealii::Point<dim> xi;
-    for (unsigned int d = 0; d < dim; ++d)
-      xi[d] = .5;
-    return Q1::evaluate<dim>(parts.space.mesh().graph().cell(cell),
-                             Q1::values<dim>(xi),
-                             Q1::reference_gradients<dim>(xi));
   }
 
 
@@ -71,16 +58,14 @@ namespace Thalweg
     largest_tau    = 0.;
     for (unsigned int c = 0; c < n_cells; ++c)
       {
-        // 1/h^2 is the mean over the directions of the cell.
-        const double per_area = middle(c).covariant.norm_square() / dim;
         const double rate =
-          parts.viscous.largest_kinematic_viscosity(c) * per_area;
+          parts.viscous.largest_kinematic_viscosity(c) * inverse_squares[c];
         impulse_times[c] = 1. / stabilization.rate(rate, 1. / dt);
         rests[c]         = 1. - impulse_times[c] / dt;
         taus[c] =
           1. /
           stabilization.rate(parts.viscous.kinematic_viscosity_of_lightest(c) *
-                               per_area,
+                               inverse_squares[c],
                              1. / dt);
         largest     = std::max(largest, rate * dt);
         largest_tau = std::max(largest_tau, taus[c]);
@@ -95,42 +80,15 @@ namespace Thalweg
 
   template <int dim>
   void
-  CoupledSystem<dim>::find_gradient(const EnrichedPressure &pressure,
-                                    Vector                 &result) const
-  {
-    result = 0.;
-    parts.pressure.subtract_gradient(pressure, result);
-    parts.space.fold(result, dim);
-    parts.mass.accelerate(result, dealii::Tensor<1, dim>(), nullptr);
-  }
-
-
-
-  template <int dim>
-  void
   CoupledSystem<dim>::add_jumps(const EnrichedPressure &pressure,
                                 Vector                 &result) const
   {
+    if (!parts.phase.has_jumps())
+      return;
     friction = 0.;
     parts.pressure.subtract_jump_forces(pressure, friction);
     finish_friction(1.);
     result.add(1., friction);
-  }
-
-
-
-  template <int dim>
-  void
-  CoupledSystem<dim>::accelerate(const EnrichedPressure &pressure,
-                                 Vector                 &result) const
-  {
-    result = 0.;
-    parts.pressure.subtract_gradient(pressure, result);
-    parts.pressure.add_force_density(result);
-    parts.space.fold(result, dim);
-    parts.mass.accelerate(result,
-                          parts.forces.uniform_acceleration(),
-                          &parts.pressure.acceleration());
   }
 
 
@@ -267,7 +225,7 @@ namespace Thalweg
                                     const EnrichedPressure &pressure,
                                     CoupledFlow            &residual)
   {
-    accelerate(pressure, acceleration);
+    parts.pressure.accelerate(pressure, true, parts.mass, acceleration);
     work.zero_out_ghost_values();
     work.copy_locally_owned_data_from(velocity_);
     work.add(theta, change);
@@ -309,7 +267,7 @@ namespace Thalweg
     parts.boundary.project(work);
     parts.space.interpolate(work, dim);
 
-    find_gradient(pressure_work, acceleration);
+    parts.pressure.accelerate(pressure_work, false, parts.mass, acceleration);
     find_friction(work, theta, true);
     Vector &rows = velocity(result);
     rows.copy_locally_owned_data_from(acceleration);
@@ -335,7 +293,7 @@ namespace Thalweg
   CoupledSystem<dim>::find_scales(const Vector           &velocity_,
                                   const EnrichedPressure &given)
   {
-    accelerate(given, acceleration);
+    parts.pressure.accelerate(given, true, parts.mass, acceleration);
     find_friction(velocity_, 1.);
     double sums[2] = {0., 0.};
     for (unsigned int n = 0; n < extents.locally_owned_size(); ++n)

@@ -54,15 +54,7 @@ namespace Thalweg
                                   const bool              with_forces,
                                   const double            duration)
   {
-    force = 0.;
-    pressure_system->subtract_gradient(pressure, force);
-    if (with_forces)
-      pressure_system->add_force_density(force);
-    space->fold(force, dim);
-    mass->accelerate(force,
-                     with_forces ? forces->uniform_acceleration()
-                                 : dealii::Tensor<1, dim>(),
-                     with_forces ? &pressure_system->acceleration() : nullptr);
+    pressure_system->accelerate(pressure, with_forces, *mass, force);
     if (forces->is_rotating())
       turn_nodes<dim>(deflection, force);
     this->advance(force, duration);

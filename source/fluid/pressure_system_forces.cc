@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The forces of a pressure and of what it balances on the nodes.
 #include <thalweg/fields/gather.h>
+#include <thalweg/fluid/nodal_mass.h>
 #include <thalweg/fluid/pressure_system.h>
 
 namespace Thalweg
@@ -75,12 +76,35 @@ namespace Thalweg
 
 
 
-#define THALWEG_INSTANTIATE_FORCES(dim)                    \
-  template void PressureSystem<dim>::subtract_gradient(    \
-    const EnrichedPressure &, Vector &) const;             \
-  template void PressureSystem<dim>::subtract_jump_forces( \
-    const EnrichedPressure &, Vector &) const;             \
-  template void PressureSystem<dim>::add_force_density(Vector &) const;
+  template <int dim>
+  void
+  PressureSystem<dim>::accelerate(const EnrichedPressure &pressure,
+                                  const bool              with_forces,
+                                  const NodalMass<dim>   &mass,
+                                  Vector                 &result) const
+  {
+    result = 0.;
+    subtract_gradient(pressure, result);
+    if (with_forces)
+      add_force_density(result);
+    space.fold(result, dim);
+    mass.accelerate(result,
+                    with_forces ? forces.uniform_acceleration()
+                                : dealii::Tensor<1, dim>(),
+                    with_forces ? &field : nullptr);
+  }
+
+
+
+#define THALWEG_INSTANTIATE_FORCES(dim)                                   \
+  template void PressureSystem<dim>::subtract_gradient(                   \
+    const EnrichedPressure &, Vector &) const;                            \
+  template void PressureSystem<dim>::subtract_jump_forces(                \
+    const EnrichedPressure &, Vector &) const;                            \
+  template void PressureSystem<dim>::accelerate(const EnrichedPressure &, \
+                                                const bool,               \
+                                                const NodalMass<dim> &,   \
+                                                Vector &) const;
   THALWEG_INSTANTIATE_FORCES(2)
   THALWEG_INSTANTIATE_FORCES(3)
 #undef THALWEG_INSTANTIATE_FORCES

@@ -90,12 +90,12 @@ namespace Thalweg
         const auto  &graph    = parts->space.mesh().graph();
         const auto   measures = integrals.node_measures(graph.cell(cell));
         const auto  &nodes    = parts->space.nodes(cell);
+        // of int N_i in a parallelepiped
+        static const double share = std::pow(1.5, -dim);
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             nodal(masses).local_element(nodes[i]) += measures[i] / mu;
-            // of a parallelepiped
-            own.local_element(nodes[i]) +=
-              std::pow(1.5, -dim) * measures[i] / mu;
+            own.local_element(nodes[i]) += share * measures[i] / mu;
           }
         const int cut = parts->phase.cut_index(cell);
         if (cut < 0 || !parts->phase.cut_cells()[cut].enriched)

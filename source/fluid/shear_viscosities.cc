@@ -8,21 +8,6 @@
 
 namespace Thalweg
 {
-  namespace
-  {
-    template <int dim>
-    dealii::Point<dim>
-    middle_of_reference_cell()
-    {
-      dealii::Point<dim> xi;
-      for (unsigned int d = 0; d < dim; ++d)
-        xi[d] = .5;
-      return xi;
-    }
-  } // namespace
-
-
-
   template <int dim>
   ShearViscosities<dim>::ShearViscosities(const NodeSpace<dim>        &space,
                                           const BoundaryNodes<dim>    &boundary,
@@ -32,10 +17,8 @@ namespace Thalweg
     , phase(phase)
     , given(given)
     , is_active(phase.both_fluids().depend_on_shear())
-    , at_wall(boundary.cells_with_given_nodes())
-    , middle_gradients(
-        Q1::reference_gradients<dim>(middle_of_reference_cell<dim>()))
-    , middle_values(Q1::values<dim>(middle_of_reference_cell<dim>()))
+    , at_wall(is_active ? boundary.cells_with_given_nodes()
+                        : std::vector<bool>())
   {
     if (!is_active)
       return;
@@ -52,9 +35,7 @@ namespace Thalweg
   ShearViscosities<dim>::gradient(const Vector      &velocity,
                                   const unsigned int cell) const
   {
-    const auto point = Q1::evaluate<dim>(space.mesh().graph().cell(cell),
-                                         middle_values,
-                                         middle_gradients);
+    const auto point = Q1::middle<dim>(space.mesh().graph().cell(cell));
     const auto u     = gather_velocity<dim>(velocity, space.nodes(cell));
     dealii::Tensor<2, dim> result;
     for (unsigned int v = 0; v < n_vertices; ++v)

@@ -278,13 +278,7 @@ namespace Thalweg
                  const std::array<double, (1 << dim)> &phi,
                  const Fluids                         &fluids)
     {
-      dealii::Point<dim> center;
-      for (unsigned int d = 0; d < dim; ++d)
-        center[d] = .5;
-      const auto point =
-        Q1::evaluate<dim>(cell,
-                          Q1::values<dim>(center),
-                          Q1::reference_gradients<dim>(center));
+      const auto point = Q1::middle<dim>(cell);
       for (unsigned int v = 0; v < phi.size(); ++v)
         cut.normal += phi[v] * point.gradients[v];
       if (cut.normal.norm() > 0)

@@ -41,13 +41,8 @@ namespace Thalweg
                                        const Vector      &phi,
                                        const Vector      &velocity) const
   {
-    dealii::Point<dim> middle;
-    for (unsigned int d = 0; d < dim; ++d)
-      middle[d] = .5;
     const auto &nodes = space.nodes(cell);
-    const auto  point = Q1::evaluate<dim>(space.mesh().graph().cell(cell),
-                                         Q1::values<dim>(middle),
-                                         Q1::reference_gradients<dim>(middle));
+    const auto  point = Q1::middle<dim>(space.mesh().graph().cell(cell));
     dealii::Tensor<1, dim> normal;
     for (unsigned int v = 0; v < nodes.size(); ++v)
       normal += phi.local_element(nodes[v]) * point.gradients[v];

@@ -210,14 +210,13 @@ TYPED_TEST(CellProjectionMpi, FewIterationsDoWhateverTheDensities)
 // inside has: what can be taken away is.
 TEST(CellProjectionMpi3d, EndsWhereGivenVelocitiesDoNotFit)
 {
-  std::string all = "Velocity = ";
-  for (const char *side : {"left", "right", "bottom", "top", "front", "back"})
-    all += std::string(all.back() == ' ' ? "" : " | ") + side +
-           ": sin(3*x)*cos(3*y)*cos(3*z); cos(3*x)*sin(3*y)*cos(3*z); "
-           "-2*cos(3*x)*cos(3*y)*sin(3*z)";
-  Projected<3> projected(hanging_box<3>(4) +
-                         section("Boundary conditions", {all}));
-  Vector       velocity;
+  const std::string flow =
+    "sin(3*x)*cos(3*y)*cos(3*z); cos(3*x)*sin(3*y)*cos(3*z); "
+    "-2*cos(3*x)*cos(3*y)*sin(3*z)";
+  Projected<3> projected(
+    hanging_box<3>(4) +
+    section("Boundary conditions", {"Velocity = " + on_all_sides<3>(flow)}));
+  Vector velocity;
   projected.scene.space->initialize_velocity(velocity);
   projected.scene.boundary->apply(velocity);
   projected.scene.space->interpolate(velocity, 3);

@@ -68,12 +68,6 @@ namespace
   std::string
   eddy_case()
   {
-    std::string velocity = "Velocity = ";
-    for (const char *side : {"left", "right", "bottom", "top", "front", "back"})
-      if (dim == 3 ||
-          (side != std::string("front") && side != std::string("back")))
-        velocity += (velocity.back() == ' ' ? "" : " | ") + std::string(side) +
-                    ": " + eddies_as_text<dim>();
     const std::string factor = std::to_string(mu * 9. * dim) + "*";
     std::string       force;
     if (dim == 2)
@@ -83,7 +77,8 @@ namespace
       force = factor + "sin(3*x)*cos(3*y)*cos(3*z) - 2*sin(2*x)*sin(3*z); " +
               factor + "cos(3*x)*sin(3*y)*cos(3*z); -2*" + factor +
               "cos(3*x)*cos(3*y)*sin(3*z) + 3*cos(2*x)*cos(3*z)";
-    return section("Boundary conditions", {velocity}) +
+    return section("Boundary conditions",
+                   {"Velocity = " + on_all_sides<dim>(eddies_as_text<dim>())}) +
            section("Body forces", {"Force density = " + force});
   }
 } // namespace
@@ -114,8 +109,7 @@ TYPED_TEST(MonolithicMpi, SteadyStokesFlowsConverge)
 
 TYPED_TEST(MonolithicMpi, SolversAndStabilizationsAgree)
 {
-  constexpr int dim = TypeParam::value;
-  const auto    run = [](const std::string &settings) {
+  const auto run = [](const std::string &settings) {
     constexpr int    dim = TypeParam::value;
     SolverScene<dim> scene(
       hanging_box<dim>(dim == 2 ? 8 : 4) + two_fluids(10., 1., 1., .1) +
@@ -255,19 +249,13 @@ namespace
     double
     error(const unsigned int n_cells, const std::string &enrichment) const
     {
-      std::string all = "Velocity = ";
-      for (const char *side :
-           {"left", "right", "bottom", "top", "front", "back"})
-        if (dim == 3 || (side[0] != 'f' && side != std::string("back")))
-          all +=
-            std::string(all.back() == ' ' ? "" : " | ") + side + ": " + text();
-      SolverScene<dim> scene(unit_box<dim>(n_cells) +
-                               two_fluids(1., 1., 10., 1.) +
-                               section("Interface",
-                                       {"Enrichment = " + enrichment}) +
-                               section("Boundary conditions", {all}),
-                             "monolithic",
-                             "set Tolerance = 1e-10\n");
+      SolverScene<dim> scene(
+        unit_box<dim>(n_cells) + two_fluids(1., 1., 10., 1.) +
+          section("Interface", {"Enrichment = " + enrichment}) +
+          section("Boundary conditions",
+                  {"Velocity = " + on_all_sides<dim>(text())}),
+        "monolithic",
+        "set Tolerance = 1e-10\n");
       scene.initialize([this](const auto &x) { return level_set(x); });
       scene.find_steady_flow();
       return scene.velocity_error(

@@ -194,9 +194,7 @@ TEST(ScalarDiffusion, TiltedLayersConverge)
   };
   ScalarConditionParameters given;
   const std::string         d = "(0.8*x+0.6*y-0.74)";
-  for (const char *side : {"left", "right", "bottom", "top"})
-    given.value += std::string(given.value.empty() ? "" : " | ") + side +
-                   ": if(" + d + "<0, " + d + ", " + d + "/10)";
+  given.value = on_all_sides<2>("if(" + d + "<0, " + d + ", " + d + "/10)");
   double errors[2];
   for (const unsigned int i : {0, 1})
     {

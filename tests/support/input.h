@@ -105,6 +105,18 @@ two_fluids(const double density_1,
                             "Viscosity = " + std::to_string(viscosity_2)}));
 }
 
+/// `left: text | right: text` and so on, for all sides of a box.
+template <int dim>
+std::string
+on_all_sides(const std::string &text)
+{
+  std::string all = "left: " + text + " | right: " + text +
+                    " | bottom: " + text + " | top: " + text;
+  if (dim == 3)
+    all += " | front: " + text + " | back: " + text;
+  return all;
+}
+
 /// How accurate the fractional step's linear solvers are.
 inline std::string
 tight_solver(const std::string &pressure, const std::string &velocity)

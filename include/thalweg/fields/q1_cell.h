@@ -162,6 +162,17 @@ namespace Thalweg
       return point;
     }
 
+    /// The middle of the reference cell, in @p cell.
+    template <int dim>
+    inline Point<dim>
+    middle(const typename CellGraph<dim>::Cell &cell)
+    {
+      dealii::Point<dim> xi;
+      for (unsigned int d = 0; d < dim; ++d)
+        xi[d] = .5;
+      return evaluate<dim>(cell, values<dim>(xi), reference_gradients<dim>(xi));
+    }
+
     /// The tensor-product Gauss rule with two points a direction, with the
     /// shape functions tabulated.
     template <int dim>

@@ -109,11 +109,11 @@ namespace Thalweg
             const double       smallest_residual,
             const unsigned int maximum);
 
-    /// Takes away what velocities can of @ref outflow, which becomes the
-    /// residual. @throws StepFailure
+    /// Finds the multipliers that take away what velocities can of the outflow
+    /// of @p velocity; @ref outflow becomes the residual. @throws StepFailure
     SolveReport
-    solve(const double       tolerance,
-          const double       smallest_residual,
+    solve(const Vector      &velocity,
+          const double       tolerance,
           const unsigned int maximum);
 
     /// The norm of the outflows that are round-off of a velocity and of the

@@ -106,10 +106,6 @@ namespace Thalweg
     void
     vmult(CoupledFlow &result, const CoupledFlow &flow) const;
 
-    /// result = -W G p, ghosted, m/s^2, without jumps. @param pressure ghosted
-    void
-    find_gradient(const EnrichedPressure &pressure, Vector &result) const;
-
     /**
      * @brief Adds -M^{-1} int N p n of jumps at the interface to the owned
      * values: they balance friction, and so have its masses. Overwrites what
@@ -133,12 +129,6 @@ namespace Thalweg
     }
 
     double
-    inverse_dt() const
-    {
-      return 1. / dt;
-    }
-
-    double
     part_of_end() const
     {
       return theta;
@@ -152,14 +142,6 @@ namespace Thalweg
     }
 
   private:
-    /// The middle of a cell.
-    Q1::Point<dim>
-    middle(const unsigned int cell) const;
-
-    /// result = W (F - G p) for a given pressure, ghosted.
-    void
-    accelerate(const EnrichedPressure &pressure, Vector &result) const;
-
     /// friction = -factor M^{-1} K velocity_, with free components only.
     void
     find_friction(const Vector &velocity_,
@@ -203,13 +185,15 @@ namespace Thalweg
     double                      largest_tau = 1.;
     dealii::Tensor<2, dim>      deflection;
     std::array<double, 2>       scales{{1., 1.}};
-    std::vector<double>         taus;          ///< of the cells, s
-    std::vector<double>         impulse_times; ///< s dt of the cells, s
-    std::vector<double>         rests;         ///< 1 - s of the cells
-    Vector                      measures;      ///< int N_i
-    Vector                      extents;       ///< sum of int |grad N_i|
-    mutable Vector              work, acceleration, friction, against;
-    mutable EnrichedPressure    pressure_work, load;
+    /// 1/h^2 of the cells, the mean over their directions, 1/m^2
+    std::vector<double>      inverse_squares;
+    std::vector<double>      taus;          ///< of the cells, s
+    std::vector<double>      impulse_times; ///< s dt of the cells, s
+    std::vector<double>      rests;         ///< 1 - s of the cells
+    Vector                   measures;      ///< int N_i
+    Vector                   extents;       ///< sum of int |grad N_i|
+    mutable Vector           work, acceleration, friction, against;
+    mutable EnrichedPressure pressure_work, load;
   };
 } // namespace Thalweg
 

@@ -23,6 +23,9 @@ namespace dealii
 
 namespace Thalweg
 {
+  template <int dim>
+  class NodalMass;
+
   /**
    * @brief The pressure equation of a fractional step with the enrichment (Eq. 82
    * to 85, with a factor at each node of cut cells instead of one a cell).
@@ -149,9 +152,18 @@ namespace Thalweg
     void
     subtract_jump_forces(const EnrichedPressure &pressure, Vector &force) const;
 
-    /// Adds int N_i f of the force density, of this rank's cells; not folded.
+    /**
+     * @brief The acceleration of the nodes by a pressure, without jumps, and
+     * by body forces. Collective.
+     * @param pressure ghosted, Pa
+     * @param mass of the nodes, see NodalMass::accelerate()
+     * @param result ghosted, m/s^2
+     */
     void
-    add_force_density(Vector &force) const;
+    accelerate(const EnrichedPressure &pressure,
+               const bool              with_forces,
+               const NodalMass<dim>   &mass,
+               Vector                 &result) const;
 
     /// Sets the nodes at open boundaries to their value.
     void
@@ -161,6 +173,10 @@ namespace Thalweg
     /// After how many iterations the usual smoother is held to have failed;
     /// it needs about ten.
     static constexpr unsigned int patience = 150;
+
+    /// Adds int N_i f of the force density, of this rank's cells; not folded.
+    void
+    add_force_density(Vector &force) const;
 
     /// The right hand side of a cell: for N_i, and for N_i psi.
     struct Load

@@ -85,9 +85,6 @@ namespace Thalweg
     /// The velocity at the last update(), and of uncut cells d mu / d rate^2.
     Vector              last;
     std::vector<double> slopes;
-    /// Gradients of the shape functions in the middle of the reference cell.
-    std::array<dealii::Tensor<1, dim>, n_vertices> middle_gradients;
-    std::array<double, n_vertices>                 middle_values;
   };
 } // namespace Thalweg
 

@@ -119,6 +119,13 @@ namespace Thalweg
       return fluids[fluid_of_cell[cell]];
     }
 
+    /// Whether the pressure may jump at the interface.
+    bool
+    has_jumps() const
+    {
+      return fluids.size() == 2 && parameters.enrichment == "discontinuous";
+    }
+
     /// What the phases are.
     const Fluids &
     both_fluids() const

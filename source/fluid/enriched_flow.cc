@@ -35,10 +35,11 @@ namespace Thalweg
     phase    = &setup.phase;
     forces   = &setup.forces;
     terms    = &setup.terms;
+    tension  = setup.tension;
     mass     = std::make_unique<NodalMass<dim>>(*space, *boundary, *phase);
     budget   = std::make_unique<KineticBudget<dim>>(*context, *mass);
-    pressure_system =
-      std::make_unique<PressureSystem<dim>>(*space, *boundary, *phase, *forces);
+    pressure_system = std::make_unique<PressureSystem<dim>>(
+      *space, *boundary, *phase, *forces, tension);
     cell_projection = std::make_unique<CellProjection<dim>>(*space,
                                                             *boundary,
                                                             *mass,
@@ -56,6 +57,7 @@ namespace Thalweg
     space->initialize_velocity(change);
     space->initialize_velocity(deflected);
     space->initialize_velocity(v);
+    space->initialize_scalar(whole_pressure);
   }
 
 
@@ -70,6 +72,8 @@ namespace Thalweg
       dealii::TimerOutput::Scope scope(context->timers, "assembly");
       mass->update();
       pressure_system->assemble();
+      if (tension != nullptr)
+        tension->update();
       add_terms();
       shear->update(v);
     }
@@ -161,6 +165,21 @@ namespace Thalweg
     nodal(p).zero_out_ghost_values();
     nodal(p).add(-sum[0] / sum[1]);
     space->interpolate(nodal(p), 1);
+  }
+
+
+
+  template <int dim>
+  void
+  EnrichedFlow<dim>::finish_pressure()
+  {
+    normalize_pressure();
+    if (!has_hidden_pressure())
+      return;
+    whole_pressure.zero_out_ghost_values();
+    whole_pressure.copy_locally_owned_data_from(nodal(p));
+    tension->add_hidden_pressure(whole_pressure);
+    space->interpolate(whole_pressure, 1);
   }
 
 

@@ -181,7 +181,7 @@ namespace Thalweg
     if (has_friction)
       correct_pressure(duration);
     budget->record("pressure of friction", v);
-    this->normalize_pressure();
+    this->finish_pressure();
     this->remove_divergence(lead);
     budget->record("divergence", v);
   }

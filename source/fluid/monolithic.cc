@@ -285,7 +285,7 @@ namespace Thalweg
     begin_step(rate, lead, duration);
     solve_nonlinear(duration);
     budget->record("flow", v);
-    this->normalize_pressure();
+    this->finish_pressure();
     this->remove_divergence(lead);
     budget->record("divergence", v);
   }

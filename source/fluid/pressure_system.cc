@@ -10,14 +10,16 @@
 namespace Thalweg
 {
   template <int dim>
-  PressureSystem<dim>::PressureSystem(const NodeSpace<dim>     &space,
-                                      const BoundaryNodes<dim> &boundary,
-                                      const PhaseField<dim>    &phase,
-                                      const BodyForces<dim>    &forces)
+  PressureSystem<dim>::PressureSystem(const NodeSpace<dim>      &space,
+                                      const BoundaryNodes<dim>  &boundary,
+                                      const PhaseField<dim>     &phase,
+                                      const BodyForces<dim>     &forces,
+                                      const InterfaceForce<dim> *tension)
     : space(space)
     , boundary(boundary)
     , phase(phase)
     , forces(forces)
+    , tension(tension)
     , singular(!boundary.conditions().has_open_boundary())
   {
     initialize(space, residual);
@@ -138,6 +140,54 @@ namespace Thalweg
     if (cut && cut->enriched)
       for (unsigned int j = 0; j < load.star.size(); ++j)
         load.star[j] += g * cut->star_load[j] + f * cut->star_inverse_load[j];
+    if (tension != nullptr)
+      if (const auto *force = tension->force(cell))
+        add_tension(cell, *force, load);
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_tension(
+    const unsigned int                             cell,
+    const typename InterfaceForce<dim>::CellForce &force,
+    Load                                          &load) const
+  {
+    add_nodal_pressure(cell, force.pressures, 1., load);
+    const CutCell<dim> *cut = cut_cell(cell);
+    if (cut == nullptr)
+      return;
+    const Fluids &fluids    = phase.both_fluids();
+    const auto acceleration = force.density / fluids[fluids.denser()].density;
+    for (unsigned int i = 0; i < load.nodal.size(); ++i)
+      load.nodal[i] += acceleration * cut->denser_gradient[i];
+    if (cut->enriched)
+      for (unsigned int i = 0; i < load.star.size(); ++i)
+        load.star[i] += acceleration * cut->denser_star_load[i];
+  }
+
+
+
+  template <int dim>
+  void
+  PressureSystem<dim>::add_nodal_pressure(
+    const unsigned int                    cell,
+    const std::array<double, (1 << dim)> &pressure,
+    const double                          factor,
+    Load                                 &load) const
+  {
+    const CutCell<dim> *cut = cut_cell(cell);
+    const auto          laplace =
+      cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
+    const double scale = cut ? factor : factor / phase.fluid(cell).density;
+    for (unsigned int i = 0; i < load.nodal.size(); ++i)
+      for (unsigned int j = 0; j < load.nodal.size(); ++j)
+        load.nodal[i] += scale * laplace[i][j] * pressure[j];
+    if (cut && cut->enriched)
+      for (unsigned int i = 0; i < load.nodal.size(); ++i)
+        for (unsigned int j = 0; j < load.nodal.size(); ++j)
+          load.star[i] += factor * cut->laplace_star[j][i] * pressure[j];
   }
 
 
@@ -149,23 +199,18 @@ namespace Thalweg
                                          Load                   &load) const
   {
     constexpr unsigned int n = 1 << dim;
-    const auto             p = gather<dim>(nodal(pressure), space.nodes(cell));
-    const CutCell<dim>    *cut = cut_cell(cell);
-    const auto             laplace =
-      cut ? cut->laplace : integrals.laplace(space.mesh().graph().cell(cell));
-    const double factor = cut ? 1. : 1. / phase.fluid(cell).density;
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        load.nodal[i] -= factor * laplace[i][j] * p[j];
-    if (cut && cut->enriched)
+    add_nodal_pressure(cell,
+                       gather<dim>(nodal(pressure), space.nodes(cell)),
+                       -1.,
+                       load);
+    if (const CutCell<dim> *cut = enriched_cell(cell))
       {
         const auto q = gather<dim>(star(pressure), space.nodes(cell));
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
             {
               load.nodal[i] -= cut->laplace_star[i][j] * q[j];
-              load.star[i] -= cut->laplace_star[j][i] * p[j] +
-                              cut->laplace_star_star[i][j] * q[j];
+              load.star[i] -= cut->laplace_star_star[i][j] * q[j];
             }
       }
   }

@@ -78,6 +78,32 @@ namespace Thalweg
 
   template <int dim>
   void
+  PressureSystem<dim>::add_tension(Vector &force) const
+  {
+    if (tension == nullptr)
+      return;
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_owned_cells(); ++c)
+      if (const auto *tension_of_cell = tension->force(c))
+        {
+          std::array<double, dim *(1 << dim)> result{};
+          integrals.add_gradient(graph.cell(c),
+                                 tension_of_cell->pressures,
+                                 result);
+          const CutCell<dim> *cut = cut_cell(c);
+          for (unsigned int v = 0; v < (1u << dim); ++v)
+            for (unsigned int d = 0; d < dim; ++d)
+              force.local_element(dim * space.nodes(c)[v] + d) +=
+                result[dim * v + d] +
+                (cut ? cut->denser_measure[v] * tension_of_cell->density[d]
+                     : 0.);
+        }
+  }
+
+
+
+  template <int dim>
+  void
   PressureSystem<dim>::accelerate(const EnrichedPressure &pressure,
                                   const bool              with_forces,
                                   const NodalMass<dim>   &mass,
@@ -86,7 +112,10 @@ namespace Thalweg
     result = 0.;
     subtract_gradient(pressure, result);
     if (with_forces)
-      add_force_density(result);
+      {
+        add_force_density(result);
+        add_tension(result);
+      }
     space.fold(result, dim);
     mass.accelerate(result,
                     with_forces ? forces.uniform_acceleration()

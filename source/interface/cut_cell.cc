@@ -110,28 +110,33 @@ namespace Thalweg
             const double                  phi,
             const dealii::Tensor<1, dim> &gradient)
     {
-      const double density = task.fluids[negative ? 0 : 1].density;
+      const unsigned int fluid     = negative ? 0 : 1;
+      const double       density   = task.fluids[fluid].density;
+      const bool         is_denser = fluid == task.fluids.denser();
       add_point(cut, point, weight, density);
+      if (is_denser)
+        for (unsigned int i = 0; i < point.values.size(); ++i)
+          {
+            cut.denser_measure[i] += weight * point.values[i];
+            cut.denser_gradient[i] += weight * point.gradients[i];
+          }
+      const auto enrich = [&](const Star<dim> &star) {
+        add_enrichment(cut, point, star, weight, density);
+        if (is_denser)
+          for (unsigned int i = 0; i < point.values.size(); ++i)
+            cut.denser_star_load[i] += weight * star.gradients[i];
+      };
       if (task.enrichment == PressureEnrichment::gradient)
         {
           const double sign          = negative ? -1. : 1.;
           const auto   kink_gradient = sign * gradient;
-          add_enrichment(
-            cut,
-            point,
-            kink_functions<dim>(point, task.w, sign * phi, kink_gradient),
-            weight,
-            density);
+          enrich(kink_functions<dim>(point, task.w, sign * phi, kink_gradient));
           for (unsigned int i = 0; i < sums.kink.size(); ++i)
             sums.kink[i] += (weight * point.values[i]) * kink_gradient;
         }
       if (task.enrichment == PressureEnrichment::discontinuous)
         {
-          add_enrichment(cut,
-                         point,
-                         jump_functions<dim>(point, task.phi, negative),
-                         weight,
-                         density);
+          enrich(jump_functions<dim>(point, task.phi, negative));
           if (!negative)
             add_second_gradients(cut, point, weight);
           for (unsigned int i = 0; i < point.values.size(); ++i)

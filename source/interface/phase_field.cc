@@ -45,6 +45,7 @@ namespace Thalweg
       "less than a thousandth of a cell, and many iterations); or "
       "not at all (only to show the difference).",
       dealii::Patterns::Selection("discontinuous|gradient|none"));
+    surface_tension.declare(section.enter("Surface tension"));
   }
 
 

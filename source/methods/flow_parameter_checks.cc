@@ -80,6 +80,14 @@ namespace Thalweg
                     "for one fluid, or the model 'newton'."));
     });
     collect_fault(faults, [this]() {
+      interface.surface_tension.template check<dim>(fluids.size());
+      AssertThrow(computes_flow || !interface.surface_tension.acts(),
+                  dealii::ExcMessage(
+                    "'Interface/Surface tension/Coefficient' is not 0, but the "
+                    "velocity is given. Write 0, or choose the method "
+                    "'pfem2'."));
+    });
+    collect_fault(faults, [this]() {
       parse_expression<dim>(initial_velocity, dim, initial + "Velocity");
     });
     collect_fault(faults, [this]() {
@@ -101,6 +109,7 @@ namespace Thalweg
       for (const auto &[id, condition] : conditions.all())
         if (!condition.inflow_fluid.empty())
           fluids.index(condition.inflow_fluid);
+      interface.surface_tension.angles(coarse);
       evaluate_at_boundaries(conditions, coarse);
       if (computes_flow)
         check_flux_balance(conditions, coarse, 0.);

@@ -24,6 +24,10 @@ namespace Thalweg
                                   "least squares",
                                   "projection from particles to the mesh");
     interface.declare(sections);
+    interface_force.declare_parameters(
+      sections.enter("Interface").enter("Surface tension"),
+      "sharp",
+      "way in which surface tension acts");
     fluid_solver.declare_parameters(sections.enter("Fluid solver"),
                                     "fractional step",
                                     "solver of the flow equations");

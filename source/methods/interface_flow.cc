@@ -213,10 +213,18 @@ namespace Thalweg
       parameters.seeding.particles_per_direction);
     if (parameters.fluids.size() == 2)
       phase->carry([this]() { return volumes_to_show(); }, *boundary);
+    parameters.interface_force->initialize(
+      *space, conditions, *phase, parameters.interface.surface_tension);
     terms.attach(*space);
     viscosities.attach(*space, parameters.fluids);
-    parameters.fluid_solver->initialize(
-      {context, *space, *boundary, *phase, forces, terms, viscosities});
+    parameters.fluid_solver->initialize({context,
+                                         *space,
+                                         *boundary,
+                                         *phase,
+                                         forces,
+                                         terms,
+                                         viscosities,
+                                         &*parameters.interface_force});
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Thalweg
 {
@@ -38,8 +39,11 @@ namespace Thalweg
   void
   Pfem2<dim>::attach_fields()
   {
-    numbers =
-      std::make_unique<FlowStepNumbers<dim>>(parts->space, parts->fluids);
+    numbers = std::make_unique<FlowStepNumbers<dim>>(
+      parts->space,
+      parts->fluids,
+      std::numeric_limits<double>::infinity(),
+      parts->phase.surface_tension().coefficient);
     budget           = std::make_unique<ParticleBudget<dim>>(*parts);
     carried_distance = std::make_unique<CarriedDistance<dim>>(parts->space);
     if (time_integration == "staggered")

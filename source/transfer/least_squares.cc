@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <thalweg/fields/nodal_moments.h>
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/linear_algebra/plane_fit.h>
 #include <thalweg/transfer/negligible_weight.h>
-#include <thalweg/transfer/nodal_moments.h>
 #include <thalweg/transfer/node_targets.h>
-#include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/projection.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Projections that find each node's velocity from the particles around it.
 #include <thalweg/fields/q1_cell.h>
+#include <thalweg/linear_algebra/plane_fit.h>
 #include <thalweg/transfer/negligible_weight.h>
-#include <thalweg/transfer/plane_fit.h>
 #include <thalweg/transfer/velocity_projection.h>
 
 #include <algorithm>

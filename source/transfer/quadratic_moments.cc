@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
-#include <thalweg/transfer/plane_fit.h>
+#include <thalweg/linear_algebra/plane_fit.h>
 #include <thalweg/transfer/quadratic_moments.h>
 
 #include <algorithm>

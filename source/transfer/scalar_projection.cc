@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <thalweg/core/registry.h>
+#include <thalweg/fields/nodal_moments.h>
 #include <thalweg/fields/q1_cell.h>
 #include <thalweg/transfer/negligible_weight.h>
-#include <thalweg/transfer/nodal_moments.h>
 #include <thalweg/transfer/scalar_projection.h>
 
 #include <algorithm>

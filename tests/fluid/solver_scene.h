@@ -28,6 +28,9 @@ struct SolverScene : public Scene<dim>
     , solver(Thalweg::Registry<Thalweg::FluidSolver<dim>>::entries()
                .at(solver_name)
                .make())
+    , tension(Thalweg::Registry<Thalweg::InterfaceForce<dim>>::entries()
+                .at("sharp")
+                .make())
   {
     context.log = Thalweg::Log(false);
     context.statistics.declare({});
@@ -49,13 +52,18 @@ struct SolverScene : public Scene<dim>
   void
   initialize()
   {
+    tension->initialize(*this->space,
+                        *this->conditions,
+                        *this->phase,
+                        this->interface.surface_tension);
     solver->initialize({context,
                         *this->space,
                         *this->boundary,
                         *this->phase,
                         this->forces,
                         terms,
-                        viscosities});
+                        viscosities,
+                        tension.get()});
   }
 
   /// A step from @p velocity that nothing has convected.
@@ -108,11 +116,12 @@ struct SolverScene : public Scene<dim>
     return std::sqrt(std::max(0., sums[1] / sums[2] - mean * mean));
   }
 
-  Thalweg::Context                           context;
-  dealii::ParameterHandler                   solver_prm;
-  Thalweg::FlowTerms<dim>                    terms;
-  Thalweg::FluidViscosities<dim>             viscosities;
-  std::unique_ptr<Thalweg::FluidSolver<dim>> solver;
+  Thalweg::Context                              context;
+  dealii::ParameterHandler                      solver_prm;
+  Thalweg::FlowTerms<dim>                       terms;
+  Thalweg::FluidViscosities<dim>                viscosities;
+  std::unique_ptr<Thalweg::FluidSolver<dim>>    solver;
+  std::unique_ptr<Thalweg::InterfaceForce<dim>> tension;
 };
 
 #endif

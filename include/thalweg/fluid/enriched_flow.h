@@ -29,6 +29,8 @@ namespace Thalweg
     {
       state.field("velocity", *space, v, dim);
       state.field("pressure", *space, nodal(p), 1);
+      if (has_hidden_pressure())
+        state.field("whole pressure", *space, whole_pressure, 1);
     }
 
     Vector &
@@ -40,7 +42,7 @@ namespace Thalweg
     Vector &
     pressure() override
     {
-      return nodal(p);
+      return has_hidden_pressure() ? whole_pressure : nodal(p);
     }
 
   protected:
@@ -81,9 +83,10 @@ namespace Thalweg
     void
     remove_divergence(const Vector &lead);
 
-    /// Ends the step: removes the constant of the pressure where it is free.
+    /// Ends the step: removes the constant of the pressure where it is free,
+    /// and adds what surface tension hides.
     void
-    normalize_pressure();
+    finish_pressure();
 
     double       divergence_tolerance = 1e-2;
     unsigned int maximal_iterations   = 1000;
@@ -94,6 +97,7 @@ namespace Thalweg
     const PhaseField<dim>                 *phase    = nullptr;
     const BodyForces<dim>                 *forces   = nullptr;
     const FlowTerms<dim>                  *terms    = nullptr;
+    InterfaceForce<dim>                   *tension  = nullptr;
     std::unique_ptr<NodalMass<dim>>        mass;
     std::unique_ptr<PressureSystem<dim>>   pressure_system;
     std::unique_ptr<KineticBudget<dim>>    budget;
@@ -107,6 +111,16 @@ namespace Thalweg
     EnrichedPressure                       p;
 
   private:
+    /// Whether pressure() is not that of the equations.
+    bool
+    has_hidden_pressure() const
+    {
+      return tension != nullptr && tension->hides_pressure();
+    }
+
+    void
+    normalize_pressure();
+
     /// What acts besides the body forces.
     void
     add_terms();
@@ -124,6 +138,7 @@ namespace Thalweg
     deflect(const Vector &lead, const double duration);
 
     std::unique_ptr<CellProjection<dim>> cell_projection;
+    Vector                               whole_pressure;
   };
 } // namespace Thalweg
 

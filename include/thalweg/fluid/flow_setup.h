@@ -7,6 +7,7 @@
 #include <thalweg/fluid/body_forces.h>
 #include <thalweg/fluid/flow_terms.h>
 #include <thalweg/fluid/fluid_viscosities.h>
+#include <thalweg/interface/interface_force.h>
 #include <thalweg/interface/phase_field.h>
 
 namespace Thalweg
@@ -22,6 +23,7 @@ namespace Thalweg
     const BodyForces<dim>       &forces;
     const FlowTerms<dim>        &terms;
     const FluidViscosities<dim> &viscosities;
+    InterfaceForce<dim>         *tension = nullptr; ///< nullptr: none
   };
 } // namespace Thalweg
 

@@ -6,6 +6,7 @@
 #include <thalweg/fields/q1_integrals.h>
 #include <thalweg/fluid/body_forces.h>
 #include <thalweg/fluid/enriched_matrix.h>
+#include <thalweg/interface/interface_force.h>
 #include <thalweg/linear_algebra/cell_matrices.h>
 #include <thalweg/linear_algebra/krylov.h>
 
@@ -48,10 +49,12 @@ namespace Thalweg
   class PressureSystem
   {
   public:
-    PressureSystem(const NodeSpace<dim>     &space,
-                   const BoundaryNodes<dim> &boundary,
-                   const PhaseField<dim>    &phase,
-                   const BodyForces<dim>    &forces);
+    /// @param tension acts besides the body forces; nullptr: none
+    PressureSystem(const NodeSpace<dim>      &space,
+                   const BoundaryNodes<dim>  &boundary,
+                   const PhaseField<dim>     &phase,
+                   const BodyForces<dim>     &forces,
+                   const InterfaceForce<dim> *tension = nullptr);
     ~PressureSystem();
 
     /// Assembles the matrix for the present phases, and finds the
@@ -178,6 +181,10 @@ namespace Thalweg
     void
     add_force_density(Vector &force) const;
 
+    /// The same of surface tension.
+    void
+    add_tension(Vector &force) const;
+
     /// The right hand side of a cell: for N_i, and for N_i psi.
     struct Load
     {
@@ -260,11 +267,24 @@ namespace Thalweg
     void
     add_forces(const unsigned int cell, Load &load) const;
 
+    /// (grad q, f / rho) of surface tension
+    void
+    add_tension(const unsigned int                             cell,
+                const typename InterfaceForce<dim>::CellForce &force,
+                Load                                          &load) const;
+
     /// (grad q, grad p / rho)
     void
     subtract_pressure(const unsigned int      cell,
                       const EnrichedPressure &pressure,
                       Load                   &load) const;
+
+    /// The same of what is no kink or jump; added with @p factor.
+    void
+    add_nodal_pressure(const unsigned int                    cell,
+                       const std::array<double, (1 << dim)> &pressure,
+                       const double                          factor,
+                       Load                                 &load) const;
 
     /// The residual of all cells, folded.
     /// @param pressure is subtracted; nullptr: none
@@ -278,11 +298,12 @@ namespace Thalweg
     SolveReport
     solve(const double tolerance, const unsigned int maximal_iterations);
 
-    const NodeSpace<dim>     &space;
-    const BoundaryNodes<dim> &boundary;
-    const PhaseField<dim>    &phase;
-    const BodyForces<dim>    &forces;
-    Q1Integrals<dim>          integrals;
+    const NodeSpace<dim>      &space;
+    const BoundaryNodes<dim>  &boundary;
+    const PhaseField<dim>     &phase;
+    const BodyForces<dim>     &forces;
+    const InterfaceForce<dim> *tension;
+    Q1Integrals<dim>           integrals;
 
     dealii::AffineConstraints<double>                       constraints;
     std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;

@@ -74,6 +74,11 @@ namespace Thalweg
     /// [j]: int grad(N_j psi) / rho
     PerVertex<dealii::Tensor<1, dim>> star_inverse_load;
 
+    /// Of the denser fluid's part: int N_i, int grad N_i, and int grad(N_i psi)
+    PerVertex<double>                 denser_measure;
+    PerVertex<dealii::Tensor<1, dim>> denser_gradient;
+    PerVertex<dealii::Tensor<1, dim>> denser_star_load;
+
     /// The unit normal of the interface, pointing to fluid 1, and the
     /// viscosities of a laminate: the arithmetic mean, and the harmonic one
     /// for shear across the interface.

@@ -7,6 +7,7 @@
 #include <thalweg/fields/node_space.h>
 #include <thalweg/interface/cut_cell.h>
 #include <thalweg/interface/redistance.h>
+#include <thalweg/interface/surface_tension.h>
 #include <thalweg/interface/volume_correction.h>
 #include <thalweg/materials/fluids.h>
 
@@ -27,6 +28,8 @@ namespace Thalweg
     bool        hold_volume = true;
     bool        redistance  = true;
     std::string enrichment  = "gradient";
+
+    SurfaceTensionParameters surface_tension;
   };
 
   /**
@@ -86,6 +89,13 @@ namespace Thalweg
     level_set() const
     {
       return phi;
+    }
+
+    /// Between both fluids.
+    const SurfaceTensionParameters &
+    surface_tension() const
+    {
+      return parameters.surface_tension;
     }
 
     /// Whether that is the distance to the interface near it.

@@ -70,6 +70,13 @@ namespace Thalweg
     unsigned int
     index(const std::string &name) const;
 
+    /// The number of the denser fluid; of two that are alike the first.
+    unsigned int
+    denser() const
+    {
+      return number == 2 && fluids[1].density > fluids[0].density ? 1 : 0;
+    }
+
     /// The sign of the level set in fluid @p index.
     static double
     sign(const unsigned int index)

@@ -66,11 +66,12 @@ namespace Thalweg
     ConvectionParameters      convection;
     PopulationParameters<dim> population;
     /// "automatic", "ballistic" or "none"
-    std::string              spray = "automatic";
-    InterfaceParameters      interface;
-    Choice<Projection<dim>>  projection;
-    Choice<FluidSolver<dim>> fluid_solver;
-    bool                     energy_budget = false;
+    std::string                 spray = "automatic";
+    InterfaceParameters         interface;
+    Choice<Projection<dim>>     projection;
+    Choice<InterfaceForce<dim>> interface_force;
+    Choice<FluidSolver<dim>>    fluid_solver;
+    bool                        energy_budget = false;
 
   private:
     void

@@ -11,8 +11,9 @@
 namespace Thalweg
 {
   /**
-   * @brief What bounds the steps of a flow: its Courant number and, where
-   * viscosity is explicit, its Fourier number.
+   * @brief What bounds the steps of a flow: its Courant number, where
+   * viscosity is explicit its Fourier number and, with surface tension, the
+   * step over the shortest one in which a capillary wave passes a cell.
    */
   template <int dim>
   class FlowStepNumbers
@@ -23,11 +24,13 @@ namespace Thalweg
      * Collective.
      * @param stable the largest Fourier number with which the method is stable
      *   (Eq. 65)
+     * @param surface_tension N/m
      */
     FlowStepNumbers(
       const NodeSpace<dim> &space,
       const Fluids         &fluids,
-      const double          stable = std::numeric_limits<double>::infinity());
+      const double          stable = std::numeric_limits<double>::infinity(),
+      const double          surface_tension = 0.);
 
     /// @param velocity at the nodes, ghosted, m/s. Collective.
     StepNumbers
@@ -38,6 +41,8 @@ namespace Thalweg
     const double          stable_fourier_number;
     /// The largest nu / h^2, 1/s.
     const double fourier_rate;
+    /// sqrt(4 pi sigma / ((rho_1 + rho_2) h^3)), 1/s (Brackbill et al. 1992)
+    const double capillary_rate;
   };
 } // namespace Thalweg
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_transfer_plane_fit_h
-#define thalweg_transfer_plane_fit_h
+#ifndef thalweg_linear_algebra_plane_fit_h
+#define thalweg_linear_algebra_plane_fit_h
 
 #include <deal.II/base/tensor.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef thalweg_transfer_nodal_moments_h
-#define thalweg_transfer_nodal_moments_h
+#ifndef thalweg_fields_nodal_moments_h
+#define thalweg_fields_nodal_moments_h
 
 #include <thalweg/fields/node_space.h>
 

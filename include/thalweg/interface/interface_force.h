@@ -69,7 +69,7 @@ namespace Thalweg
       return false;
     }
 
-    /// Adds what it lacks. @param pressure owned values, Pa
+    /// Adds what it lacks to the owned values of a pressure, Pa.
     virtual void
     add_hidden_pressure(Vector &) const
     {}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A Bingham fluid between plates: the plug and the layers beside it."""
 
-from math import log, sqrt
+from math import sqrt
 
-from thalweg import read_rows
+from thalweg import order, read_rows
 
 PLUG = .4  # half of its height, m
 
@@ -32,7 +32,7 @@ def verify(runner, report, reduced):
         steps = read_rows(output / "statistics.csv")
         iterations = sum(float(r["rheology iterations"]) for r in steps)
         rows.append([n, norm,
-                     log(previous / norm) / log(2.) if previous else "",
+                     order(previous, norm, 2.) if previous else "",
                      u[n // 2 - 1] / exact(0.) - 1., iterations / len(steps)])
         previous = norm
         curves.append((f"{n} rows", u, heights, "o"))

@@ -3,9 +3,9 @@
 and a rising bubble."""
 
 import cmath
-from math import cos, erfc, exp, log, pi, sin, sqrt
+from math import cos, erfc, exp, pi, sin, sqrt
 
-from thalweg import column, read_rows
+from thalweg import column, order, read_rows
 
 # S. Hysing et al., Int. J. Numer. Methods Fluids 60, 2009, case 1: group 3
 # (MooNMD), finest level: time, circularity, height of the centre, rise velocity.
@@ -119,7 +119,7 @@ def wave(runner, report, reduced):
                  if t > 0. else .01 for t in times]
         norm = sqrt(sum((a - b) ** 2 for a, b in zip(heights, exact))
                     / len(times)) / .01
-        rows.append([n, norm, log(previous / norm) / log(2.) if previous else ""])
+        rows.append([n, norm, order(previous, norm, 2.) if previous else ""])
         previous = norm
         if n == 32:
             curves.append((f"{n} cells", times, heights, "."))

@@ -57,7 +57,11 @@ namespace Thalweg
     space->initialize_velocity(change);
     space->initialize_velocity(deflected);
     space->initialize_velocity(v);
-    space->initialize_scalar(whole_pressure);
+    if (has_hidden_pressure())
+      {
+        whole_pressure.reinit(0);
+        space->initialize_scalar(whole_pressure);
+      }
   }
 
 

@@ -18,10 +18,6 @@ namespace Thalweg
 {
   namespace
   {
-    /// How far from the interface nodes tell of it, in edges of their cells:
-    /// those around them know their distance, too.
-    constexpr double reach = 1.;
-
     /// The curvature of the interface at the foot of a point at the distance
     /// @p phi from it, where the gradient of the level set is @p b and its
     /// second derivatives are @p H.
@@ -118,7 +114,12 @@ namespace Thalweg
     const std::map<dealii::types::boundary_id, double> &angles)
     : space(space)
     , angles(angles)
-  {}
+  {
+    // Those up to an edge away: the nodes around them know their distance, too.
+    const CellGraph<dim> &graph = space.mesh().graph();
+    for (unsigned int c = 0; c < graph.n_cells(); ++c)
+      reach.push_back(graph.cell(c).edges().second);
+  }
 
 
 
@@ -126,10 +127,9 @@ namespace Thalweg
   bool
   Curvature<dim>::is_near(const unsigned int cell, const Vector &distance) const
   {
-    const auto  &nodes = space.nodes(cell);
-    const double limit = reach * space.mesh().graph().cell(cell).edges().second;
+    const auto &nodes = space.nodes(cell);
     return std::any_of(nodes.begin(), nodes.end(), [&](const unsigned int n) {
-      return std::abs(distance.local_element(n)) < limit;
+      return std::abs(distance.local_element(n)) < reach[cell];
     });
   }
 
@@ -186,14 +186,13 @@ namespace Thalweg
       {
         if (geometry.faces[f].behind != CellGraph<dim>::Behind::boundary)
           continue;
-        const auto   angle = angles.find(geometry.faces[f].boundary_id);
-        const double edge  = geometry.edges().second;
-        bool         meets = false;
+        const auto angle = angles.find(geometry.faces[f].boundary_id);
+        bool       meets = false;
         for (unsigned int v = 0; v < space.nodes(cell).size(); ++v)
           meets =
-            meets ||
-            (((v >> (f / 2)) & 1u) == f % 2 &&
-             std::abs(distance.local_element(space.nodes(cell)[v])) < edge);
+            meets || (((v >> (f / 2)) & 1u) == f % 2 &&
+                      std::abs(distance.local_element(space.nodes(cell)[v])) <
+                        reach[cell]);
         if (angle == angles.end() || !meets)
           continue;
 
@@ -223,12 +222,13 @@ namespace Thalweg
   template <int dim>
   template <typename Weight>
   void
-  Curvature<dim>::sum_over_cells(const Vector &quantity,
-                                 const Weight &weight,
-                                 Vector       &sum,
-                                 Vector       &count) const
+  Curvature<dim>::find_means(const Vector      &quantity,
+                             const Weight      &weight,
+                             Vector            &mean,
+                             std::vector<bool> &is_known) const
   {
-    space.initialize_scalar(sum);
+    Vector count;
+    space.initialize_scalar(mean);
     space.initialize_scalar(count);
     for (unsigned int c = 0; c < space.mesh().graph().n_owned_cells(); ++c)
       {
@@ -242,12 +242,19 @@ namespace Thalweg
         if (of_cell[1] > 0.)
           for (const unsigned int node : space.nodes(c))
             {
-              sum.local_element(node) += of_cell[0];
+              mean.local_element(node) += of_cell[0];
               count.local_element(node) += of_cell[1];
             }
       }
-    space.fold(sum, 1);
+    space.fold(mean, 1);
     space.fold(count, 1);
+    is_known.assign(mean.locally_owned_size(), false);
+    for (unsigned int n = 0; n < is_known.size(); ++n)
+      if (count.local_element(n) > 0.)
+        {
+          is_known[n] = true;
+          mean.local_element(n) /= count.local_element(n);
+        }
   }
 
 
@@ -258,24 +265,22 @@ namespace Thalweg
                              Vector       &weight,
                              Vector       &curvature) const
   {
-    Vector sum, count;
-    sum_over_cells(
+    Vector            mean;
+    std::vector<bool> is_known;
+    find_means(
       curvature,
       [&](const unsigned int cell, const unsigned int node) {
-        const double limit =
-          reach * space.mesh().graph().cell(cell).edges().second;
         return weight.local_element(node) *
                std::max(0.,
-                        1. - std::abs(distance.local_element(node)) / limit);
+                        1. -
+                          std::abs(distance.local_element(node)) / reach[cell]);
       },
-      sum,
-      count);
-    for (unsigned int n = 0; n < sum.locally_owned_size(); ++n)
+      mean,
+      is_known);
+    for (unsigned int n = 0; n < is_known.size(); ++n)
       {
-        const bool is_known     = count.local_element(n) > 0.;
-        weight.local_element(n) = is_known;
-        curvature.local_element(n) =
-          is_known ? sum.local_element(n) / count.local_element(n) : 0.;
+        weight.local_element(n)    = is_known[n];
+        curvature.local_element(n) = mean.local_element(n);
       }
     space.interpolate(weight, 1);
     space.interpolate(curvature, 1);
@@ -308,20 +313,20 @@ namespace Thalweg
                          Vector      &weight,
                          Vector      &quantity) const
   {
-    Vector sum, count;
-    sum_over_cells(
+    Vector            mean;
+    std::vector<bool> is_known;
+    find_means(
       quantity,
       [&](const unsigned int, const unsigned int node) {
         return weight.local_element(node);
       },
-      sum,
-      count);
-    for (unsigned int n = 0; n < sum.locally_owned_size(); ++n)
-      if (weight.local_element(n) == 0. && count.local_element(n) > 0.)
+      mean,
+      is_known);
+    for (unsigned int n = 0; n < is_known.size(); ++n)
+      if (weight.local_element(n) == 0. && is_known[n])
         {
-          weight.local_element(n) = 1.;
-          quantity.local_element(n) =
-            factor * sum.local_element(n) / count.local_element(n);
+          weight.local_element(n)   = 1.;
+          quantity.local_element(n) = factor * mean.local_element(n);
         }
     space.interpolate(weight, 1);
     space.interpolate(quantity, 1);

@@ -76,14 +76,21 @@ struct SolverScene : public Scene<dim>
     solver->solve(velocity, none, none, dt);
   }
 
-  /// The steady flow, from rest.
+  /// A step from rest.
   void
-  find_steady_flow()
+  step_from_rest(const double dt)
   {
     Vector none;
     this->space->initialize_velocity(none);
     none.update_ghost_values();
-    step(none, std::numeric_limits<double>::infinity());
+    step(none, dt);
+  }
+
+  /// The steady flow, from rest.
+  void
+  find_steady_flow()
+  {
+    step_from_rest(std::numeric_limits<double>::infinity());
   }
 
   /// Root mean square of the difference from a velocity, at all nodes.

@@ -23,10 +23,11 @@ namespace
   std::string
   tension(const std::string &curvature = "")
   {
-    return "subsection Interface\n subsection Surface tension\n"
-           "  set Coefficient = " +
-           std::to_string(sigma) + "\n  set Curvature = " + curvature +
-           "\n end\nend\n";
+    return section("Interface",
+                   {},
+                   section("Surface tension",
+                           {"Coefficient = " + std::to_string(sigma),
+                            "Curvature = " + curvature}));
   }
 
   /// The distance from a ball that is not where nodes are.
@@ -77,10 +78,7 @@ TYPED_TEST(SurfaceTensionMpi, DropsAreAtRestWithTheRightCurvature)
           solver == "monolithic" ? "set Tolerance = 1e-12\n"
                                   : "set Pressure tolerance = 1e-14\n");
         scene.initialize(ball<dim>);
-        Vector none;
-        scene.space->initialize_velocity(none);
-        none.update_ghost_values();
-        scene.step(none, 1.);
+        scene.step_from_rest(1.);
         const double exact = sigma * std::stod(curvature);
         EXPECT_NEAR(pressure_difference(scene), exact, 1e-9 * exact)
           << solver << ' ' << mesh;
@@ -113,10 +111,7 @@ TEST(SurfaceTension, WavesArePulledBack)
           scene.initialize([&](const auto &x) {
             return x[1] - .5 - offset / n - height * std::cos(k * x[0]);
           });
-          Vector none;
-          scene.space->initialize_velocity(none);
-          none.update_ghost_values();
-          scene.step(none, dt);
+          scene.step_from_rest(dt);
           double sums[2] = {0., 0.};
           scene.for_each_node([&](const unsigned int node, const auto &x) {
             const double row    = (x[1] - .5) * n;

@@ -41,10 +41,8 @@ namespace
   {
     Vector curvature, weight;
     Curvature<dim>(*scene.space, angles).find(distance, curvature, weight);
-    const double edge =
-      dealii::Utilities::MPI::min(scene.mesh.graph().minimal_extent(),
-                                  MPI_COMM_WORLD);
-    double largest = 0.;
+    const double edge    = scene.phase->shortest_edge();
+    double       largest = 0.;
     scene.for_each_node([&](const unsigned int n, const auto &) {
       if (std::abs(distance.local_element(n)) < edge)
         {

@@ -5,6 +5,7 @@
 #include <thalweg/fields/node_space.h>
 
 #include <map>
+#include <vector>
 
 namespace Thalweg
 {
@@ -93,17 +94,24 @@ namespace Thalweg
     void
     filter(const Vector &distance, Vector &weight, Vector &curvature) const;
 
-    /// Sums of weights times a quantity, and of weights, over the cells around
-    /// each node. @param weight of a node in a cell
+    /**
+     * @brief Finds the weighted mean of a quantity at the nodes of the cells
+     * around each owned node. Collective.
+     * @param weight of a node in a cell
+     * @param mean 0 where there is none
+     * @param is_known whether there is one
+     */
     template <typename Weight>
     void
-    sum_over_cells(const Vector &quantity,
-                   const Weight &weight,
-                   Vector       &sum,
-                   Vector       &count) const;
+    find_means(const Vector      &quantity,
+               const Weight      &weight,
+               Vector            &mean,
+               std::vector<bool> &is_known) const;
 
     const NodeSpace<dim>                              &space;
     const std::map<dealii::types::boundary_id, double> angles;
+    /// How far from the interface the nodes of a cell tell of it, m.
+    std::vector<double> reach;
   };
 } // namespace Thalweg
 
